@@ -14,12 +14,15 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
+from seam_inspector.plugin.imagery.rasters import Raster
+from seam_inspector.plugin.seams.measure.compared_image import ComparedImage
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
 from seam_inspector.plugin.seams.measure.scan.lone_stretches import (
@@ -28,7 +31,6 @@ from seam_inspector.plugin.seams.measure.scan.lone_stretches import (
     ZONES_PX,
     LoneStretches,
     LoneTable,
-    MosaicPixels,
     lone_cells,
     lone_stretches,
 )
@@ -152,15 +154,16 @@ def measured(bands: np.ndarray, valid: np.ndarray, pieces: Sequence[SeamPiece], 
     bands, valid = bands[:, : window.height, : window.width], valid[: window.height, : window.width]
     index = PieceIndex(pieces, grid)
     plane = np.tensordot(LUMINANCE, bands.astype(np.float32), 1)
-    table = lone_cells(MosaicPixels(window, plane, bands, valid), window, index, "coif3")
+    image = ComparedImage(bands, (), {}, {}, Mock(Raster), valid=valid, judged=plane)
+    table = lone_cells(image, window, window, index, "coif3")
     found = lone_stretches(table, pieces, range(len(pieces)), index, grid.ground_sample_distance)
     return Measured(found, _energy(table, index, len(pieces)))
 
 
 def _energy(table: LoneTable, index: PieceIndex, count: int) -> np.ndarray:
-    number = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX).number
-    strip = table.zone < ZONES_PX.index(STRIP_PX)
-    return np.bincount(number[table.cell[strip]], table.energy[strip], count)
+    strip = table.chosen(table.bin < ZONES_PX.index(STRIP_PX))
+    number = index.beside((strip.column + 0.5) * CELL_PX, (strip.row + 0.5) * CELL_PX, REACH_PX).number
+    return np.bincount(number, strip.energy, count)
 
 
 def row_of(name: str, made: Sequence[Measured], hard: Sequence[Measured], pixel_m: float = 1.0) -> tuple[str, ...]:

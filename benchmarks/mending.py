@@ -26,6 +26,7 @@ from seam_inspector.plugin.seams.measure.mending.mending import (
     metres,
 )
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from .large_mosaic import LargeMosaic, make_large_mosaic
 from .scan_engine import AHEAD, SEAMS, scan_once, scan_request
@@ -47,10 +48,11 @@ def mend_once(made: LargeMosaic, found: ScanResult, threads: int, folder: Path) 
     request = MendRequest(whole.mosaic, whole.sources, pieces, MendSettings(WIDTH_M))
     patches, mended = str(folder / "patches"), str(folder / "mended.vrt")
     with ThreadPoolExecutor(threads) as executor, mending(request, patches, mended) as job:
-        for step in job.steps(executor, AHEAD * threads, lambda: False):
+        workers = Workers(executor, AHEAD * threads)
+        for step in job.steps(workers):
             assert not step.notices, step.notices
         say("cut anew")
-        seams = job.result(lambda share: True, executor, AHEAD * threads)
+        seams = job.result(workers)
     say(f"{metres(seams, MENDED):,.0f} of {metres(seams):,.0f} m mended, {metres(seams, LEFT):,.0f} m left")
     return seams
 

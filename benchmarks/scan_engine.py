@@ -12,6 +12,7 @@ from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import given_seams
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from .large_mosaic import LargeMosaic
 from .timing import say
@@ -38,7 +39,7 @@ def scan_once(made: LargeMosaic, tile_format: str, kind: str, threads: int, fold
     loss.unlink(missing_ok=True)
     with whole_scan(scan_request(made, tile_format, kind), loss) as scan:
         with ThreadPoolExecutor(threads) as executor:
-            for step in scan.steps(executor, AHEAD * threads):
+            for step in scan.steps(Workers(executor, AHEAD * threads)):
                 assert not step.notices, step.notices
         say(f"{tile_format}: scan, {kind}: blocks done")
         result = scan.result(str(loss))

@@ -109,18 +109,17 @@ def measure_scan(made: LargeMosaic, kind: str, folder: Path) -> ScanCosts:
     def own() -> float:
         return time.thread_time() - weighing.spent
 
-    def goes_on(share: float) -> bool:
+    def note(share: float) -> None:
         for limit in (TRACED, CUT, MEASURED):
             if share >= limit:
                 told.setdefault(limit, own())
-        return True
 
     with whole_scan(request, folder / "loss.tif") as scan:
         started = own()
-        for _ in scan.steps(weighing, AHEAD):
+        for _ in scan.steps(Workers(weighing, AHEAD)):
             pass
         measured, process, thread = own(), time.process_time(), time.thread_time()
-        assert scan.result(str(folder / "loss.tif"), goes_on, weighing, AHEAD) is not None
+        assert scan.result(str(folder / "loss.tif"), Workers(weighing, AHEAD, progress=note)) is not None
         ended = own()
         aside = (time.process_time() - process) - (time.thread_time() - thread)
         scan.finish()
@@ -138,7 +137,7 @@ def blocks_in_threads(made: LargeMosaic, kind: str, threads: int, folder: Path) 
     def run() -> None:
         with whole_scan(scan_request(made, next(iter(made.files)), kind), folder / "threads.tif") as scan:
             with ThreadPoolExecutor(threads) as executor:
-                for _ in scan.steps(executor, AHEAD * threads):
+                for _ in scan.steps(Workers(executor, AHEAD * threads)):
                     pass
             scan.finish()
 

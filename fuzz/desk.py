@@ -5,6 +5,7 @@ A project's settings, its windows file, and the records of a scan beside it.
 from __future__ import annotations
 
 from contextlib import suppress
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.records import NotUnderstoodError
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import load_inputs, save_inputs
-from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging, save_judging
+from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
@@ -34,6 +35,7 @@ from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
 from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.tables import window_file, window_layer
+from seam_inspector.plugin.toolkit.project_settings import save_settings
 from seam_inspector.plugin.toolkit.translation import sentence
 
 NAME, FOLDER = "desk", "FOLDER"
@@ -106,7 +108,7 @@ def make_folder(folder: Path, windows: Path) -> None:
     project = QgsProject()
     project.addMapLayer(window_layer.open_window_layer(path))
     save_inputs(project, load_inputs(project))
-    save_judging(project, JudgingSettings())
+    save_settings(project, "judging", asdict(JudgingSettings()))
     assert project.write(str(folder / "windows.qgs"))
     project.clear()
     window_file.store(path, [window_file.StoredResult(1, "fingerprint", _inspected(folder.parent))])

@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="144"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="60"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -184,37 +184,37 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="50"/>
+        <location filename="../plugin/imagery/messages.py" line="49"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="70"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="73"/>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="75"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="80"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="82"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <location filename="../plugin/imagery/messages.py" line="84"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
@@ -264,32 +264,32 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="25"/>
+        <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="27"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="31"/>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="65"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; wybierz inne miejsce.</translation>
     </message>
@@ -304,7 +304,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="41"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -384,7 +384,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="211"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="208"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -414,7 +414,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="319"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="323"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -424,97 +424,97 @@
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="36"/>
+        <location filename="../plugin/seams/words.py" line="35"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="37"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="38"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="40"/>
+        <location filename="../plugin/seams/words.py" line="39"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="42"/>
+        <location filename="../plugin/seams/words.py" line="41"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="86"/>
+        <location filename="../plugin/seams/words.py" line="85"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="86"/>
+        <location filename="../plugin/seams/words.py" line="85"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="42"/>
+        <location filename="../plugin/seams/words.py" line="41"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="40"/>
+        <location filename="../plugin/seams/words.py" line="39"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="165"/>
+        <location filename="../plugin/seams/window_summary.py" line="171"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="157"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="159"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="161"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="136"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="131"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -524,12 +524,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="203"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="213"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -539,42 +539,42 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="212"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="220"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="215"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="246"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="247"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="361"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="355"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -589,37 +589,37 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="132"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="126"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="134"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="128"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="135"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="152"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="154"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="140"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="159"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="145"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="156"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="142"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -639,42 +639,42 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="146"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="140"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="245"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="233"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="72"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="72"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="59"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -689,47 +689,47 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="104"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="99"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="222"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="222"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -739,37 +739,37 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="242"/>
+        <location filename="../plugin/seams/desk/dock.py" line="251"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="380"/>
+        <location filename="../plugin/seams/desk/dock.py" line="385"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="264"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
@@ -824,37 +824,37 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="275"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="269"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="282"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="362"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="356"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="77"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/under_mouse.py" line="60"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="59"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="169"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="171"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="159"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="149"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -929,7 +929,7 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="68"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="70"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
@@ -944,17 +944,17 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="101"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="98"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -964,17 +964,12 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="147"/>
-        <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
-        <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="297"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="301"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
@@ -994,29 +989,24 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="52"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="52"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="77"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="85"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
-        <source>{count} of them have no curves in it, as these are not saved with the project; inspect them again to have them.</source>
-        <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
@@ -1139,7 +1129,7 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="24"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="197"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
@@ -1154,17 +1144,17 @@
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="60"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="78"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="36"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="209"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="37"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="210"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1174,22 +1164,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="39"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="212"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="41"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="214"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="215"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="43"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="216"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1914,142 +1904,142 @@
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="51"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="53"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="53"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="55"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that the fit does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="193"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="254"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="65"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="66"/>
         <source>For polynomials and quotients. Higher orders need many points and oscillate between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="66"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="68"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="67"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="69"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="69"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="71"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="72"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="77"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="198"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="151"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="198"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="151"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="200"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="158"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -2099,32 +2089,32 @@
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="114"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="129"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="124"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="140"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="130"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="61"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="79"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="62"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="80"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
@@ -2134,77 +2124,77 @@
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="132"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="146"/>
         <source>System of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="68"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="147"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="134"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="148"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="74"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="75"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="93"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="136"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="140"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="154"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="155"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="204"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="294"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2299,7 +2289,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2344,7 +2334,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2354,12 +2344,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="96"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="97"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2384,17 +2374,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="63"/>
+        <location filename="../plugin/imagery/messages.py" line="62"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2419,22 +2409,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2444,17 +2434,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2494,7 +2484,7 @@
         <translation>Reguły nie określają żadnej granicy; podaj ją w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="27"/>
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -2889,7 +2879,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -2899,17 +2889,17 @@
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="17"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
         <source>Line {line} of {name} can&apos;t be read; correct or remove it.</source>
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="19"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="15"/>
         <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="21"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="17"/>
         <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
@@ -2919,212 +2909,167 @@
         <translation>Nie ma punktów do dopasowania modelu; zmierz je albo wybierz inną warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="19"/>
         <source>Point {name} is left out: {why}</source>
         <translation>Punkt {name} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="21"/>
         <source>its place in the image or on the ground is missing.</source>
         <translation>brakuje jego miejsca na obrazie lub w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
         <source>its role &apos;{role}&apos; is neither control nor check.</source>
         <translation>jego rola „{role}” nie jest ani control, ani check.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
-        <source>it has no height and the terrain model has none there.</source>
-        <translation>nie ma wysokości, a NMT też jej tam nie podaje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
         <source>Points that are switched off in the georeferencer and left out: {count}.</source>
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="63"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="56"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
-        <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
-        <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="69"/>
-        <source>Only {count} of {total} points are left as control points, but the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
-        <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="72"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="62"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="64"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="77"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="67"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
-        <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
-        <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="80"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="97"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
         <source>The fit did not converge within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may oscillate, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
-        <source>No scan line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
-        <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="112"/>
-        <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
-        <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="121"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="102"/>
         <source>The model polynomial_2d ignores heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="96"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="116"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="97"/>
         <source>{name} holds no complete RPC; get the file again from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="123"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="104"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="125"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="106"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
-        <source>The RPC is the model itself.</source>
-        <translation>RPC jest samym modelem.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="131"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="114"/>
         <source>{name} is not a sensor model file; choose one that Fit sensor model has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="116"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model again.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="47"/>
+        <location filename="../plugin/imagery/messages.py" line="46"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 for these.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="194"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
         <source>The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; resample it, 10 to 30 m work best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
-        <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
-        <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
-        <source>Both a terrain model and a constant height are given; choose one of them.</source>
-        <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="211"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3138,7 +3083,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="148"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="99"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -3283,72 +3228,72 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="120"/>
+        <location filename="../plugin/seams/words.py" line="114"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="131"/>
+        <location filename="../plugin/seams/words.py" line="125"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="139"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="153"/>
+        <location filename="../plugin/seams/words.py" line="146"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="162"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="166"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="260"/>
+        <location filename="../plugin/seams/words.py" line="252"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="121"/>
+        <location filename="../plugin/seams/words.py" line="115"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="147"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="154"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="156"/>
         <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="261"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3502,12 +3447,12 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
+        <location filename="../plugin/resolution/charts.py" line="36"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="146"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3516,27 +3461,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="169"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="199"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="200"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="216"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="227"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3645,7 +3590,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="300"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="288"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -3675,32 +3620,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="36"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="38"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="37"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="39"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="38"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="40"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="40"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="42"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="41"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="42"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -3829,97 +3774,97 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="36"/>
+        <location filename="../plugin/seams/words.py" line="35"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="208"/>
+        <location filename="../plugin/seams/window_summary.py" line="214"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="210"/>
+        <location filename="../plugin/seams/window_summary.py" line="216"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="212"/>
+        <location filename="../plugin/seams/window_summary.py" line="218"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="214"/>
+        <location filename="../plugin/seams/window_summary.py" line="220"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="123"/>
+        <location filename="../plugin/seams/words.py" line="117"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="134"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="156"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="158"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="176"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="116"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="157"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="251"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="239"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="250"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -3990,11 +3935,6 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="144"/>
-        <source>Seam inspection: {names}</source>
-        <translation>Kontrola linii mozaikowania: {names}</translation>
-    </message>
-    <message>
         <location filename="../plugin/noise/report.py" line="61"/>
         <source>windows</source>
         <translation>okna</translation>
@@ -4048,7 +3988,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4058,7 +3998,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="69"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4133,17 +4073,17 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="213"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="214"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="242"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="253"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -4153,42 +4093,42 @@
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="298"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -4218,122 +4158,122 @@
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="189"/>
+        <location filename="../plugin/seams/words.py" line="181"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="201"/>
+        <location filename="../plugin/seams/words.py" line="193"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="202"/>
+        <location filename="../plugin/seams/words.py" line="194"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="203"/>
+        <location filename="../plugin/seams/words.py" line="195"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="211"/>
+        <location filename="../plugin/seams/words.py" line="203"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="212"/>
+        <location filename="../plugin/seams/words.py" line="204"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="205"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="206"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="220"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="222"/>
+        <location filename="../plugin/seams/words.py" line="214"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="230"/>
+        <location filename="../plugin/seams/words.py" line="222"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="231"/>
+        <location filename="../plugin/seams/words.py" line="223"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="238"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="232"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="246"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="247"/>
+        <location filename="../plugin/seams/words.py" line="239"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="249"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="255"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4403,22 +4343,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4443,17 +4383,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="85"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="87"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="119"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="113"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4473,67 +4413,67 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="201"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="195"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="260"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="260"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="271"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="305"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="300"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="308"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="303"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="309"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="309"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -4548,137 +4488,132 @@
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="235"/>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it is not used.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="304"/>
+        <location filename="../plugin/seams/measure/messages.py" line="297"/>
         <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <location filename="../plugin/seams/measure/messages.py" line="298"/>
         <source>The scan starts from the beginning, as {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="310"/>
+        <location filename="../plugin/seams/measure/messages.py" line="303"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="312"/>
+        <location filename="../plugin/seams/measure/messages.py" line="305"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="314"/>
+        <location filename="../plugin/seams/measure/messages.py" line="307"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="316"/>
+        <location filename="../plugin/seams/measure/messages.py" line="309"/>
         <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start it again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i zacznij ponownie z tym samym plikiem wyniku, aby kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="320"/>
+        <location filename="../plugin/seams/measure/messages.py" line="313"/>
         <source>{path} can&apos;t be read any more ({error}); start it again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); zacznij ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="323"/>
+        <location filename="../plugin/seams/measure/messages.py" line="316"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="324"/>
+        <location filename="../plugin/seams/measure/messages.py" line="317"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="325"/>
+        <location filename="../plugin/seams/measure/messages.py" line="318"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="327"/>
+        <location filename="../plugin/seams/measure/messages.py" line="320"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="328"/>
+        <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
+        <location filename="../plugin/seams/measure/messages.py" line="322"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="345"/>
+        <location filename="../plugin/seams/measure/messages.py" line="338"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <location filename="../plugin/seams/measure/messages.py" line="323"/>
         <source>The scan was stopped; started again with the same output it continues from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="252"/>
+        <location filename="../plugin/seams/measure/messages.py" line="248"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="255"/>
+        <location filename="../plugin/seams/measure/messages.py" line="251"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="258"/>
+        <location filename="../plugin/seams/measure/messages.py" line="254"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="274"/>
-        <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
-        <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="277"/>
+        <location filename="../plugin/seams/measure/messages.py" line="270"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="280"/>
+        <location filename="../plugin/seams/measure/messages.py" line="273"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/messages.py" line="277"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="281"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="300"/>
+        <location filename="../plugin/seams/measure/messages.py" line="293"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="380"/>
+        <location filename="../plugin/seams/measure/messages.py" line="378"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="387"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -4688,12 +4623,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="391"/>
+        <location filename="../plugin/seams/measure/messages.py" line="389"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="399"/>
+        <location filename="../plugin/seams/measure/messages.py" line="397"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -4708,17 +4643,12 @@
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="232"/>
-        <source>More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are used.</source>
-        <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="332"/>
+        <location filename="../plugin/seams/measure/messages.py" line="325"/>
         <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="348"/>
+        <location filename="../plugin/seams/measure/messages.py" line="341"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -4823,12 +4753,12 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="356"/>
+        <location filename="../plugin/seams/measure/messages.py" line="349"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="359"/>
+        <location filename="../plugin/seams/measure/messages.py" line="352"/>
         <source>What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -4848,37 +4778,37 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="312"/>
+        <location filename="../plugin/seams/words.py" line="304"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="313"/>
+        <location filename="../plugin/seams/words.py" line="305"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="314"/>
+        <location filename="../plugin/seams/words.py" line="306"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="315"/>
+        <location filename="../plugin/seams/words.py" line="307"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="316"/>
+        <location filename="../plugin/seams/words.py" line="308"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="71"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -4888,32 +4818,32 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="165"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="176"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="179"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="196"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="194"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="124"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="127"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
@@ -4923,37 +4853,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="204"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="237"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="237"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4973,37 +4903,37 @@
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="160"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="157"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="264"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="244"/>
+        <location filename="../plugin/seams/desk/judging.py" line="239"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="252"/>
+        <location filename="../plugin/seams/desk/judging.py" line="247"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="254"/>
+        <location filename="../plugin/seams/desk/judging.py" line="249"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="74"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="76"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
@@ -5013,7 +4943,7 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="188"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="178"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -5028,7 +4958,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="362"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="350"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -5038,47 +4968,47 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="226"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="212"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="242"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="225"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="247"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="230"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="248"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="231"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="265"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="248"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="343"/>
+        <location filename="../plugin/seams/desk/dock.py" line="353"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="352"/>
+        <location filename="../plugin/seams/desk/dock.py" line="362"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="349"/>
+        <location filename="../plugin/seams/desk/dock.py" line="359"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="33"/>
+        <location filename="../plugin/seams/desk/session.py" line="64"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
@@ -5088,7 +5018,7 @@
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="293"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="294"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
@@ -5153,17 +5083,17 @@
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="71"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="75"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="69"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="76"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
@@ -5178,42 +5108,42 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="61"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="138"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="133"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="142"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
         <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="273"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="273"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="243"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="243"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -5233,37 +5163,37 @@
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="7"/>
+        <location filename="../plugin/seams/measure/messages.py" line="400"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="8"/>
+        <location filename="../plugin/seams/measure/messages.py" line="401"/>
         <source>Does not overlap the mosaic.</source>
         <translation>Nie nachodzi na ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="9"/>
+        <location filename="../plugin/seams/measure/messages.py" line="402"/>
         <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
         <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="10"/>
+        <location filename="../plugin/seams/measure/messages.py" line="403"/>
         <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
         <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="11"/>
+        <location filename="../plugin/seams/measure/messages.py" line="404"/>
         <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
         <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="12"/>
+        <location filename="../plugin/seams/measure/messages.py" line="405"/>
         <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
         <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="13"/>
+        <location filename="../plugin/seams/measure/messages.py" line="406"/>
         <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
@@ -5300,17 +5230,17 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="123"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="254"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="305"/>
+        <location filename="../plugin/seams/desk/dock.py" line="315"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -5450,197 +5380,112 @@
         <translation>Nie ma już punktów do dopasowania modelu: {why} Popraw warstwę albo wybierz inną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="12"/>
-        <source>{name} holds no ground control points itself; choose a layer or a file of points.</source>
-        <translation>{name} nie zawiera fotopunktów; wybierz warstwę albo plik z punktami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="14"/>
-        <source>A ground control point inside {name} is not a number; choose a layer or a file of points.</source>
-        <translation>Fotopunkt zapisany w pliku {name} nie jest liczbą; wybierz warstwę albo plik z punktami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
-        <source>The points are of the images {names}; choose one of them, as only the points of one image are read.</source>
-        <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="27"/>
-        <source>it has no height, and others have one.</source>
-        <translation>nie ma wysokości, a inne mają.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
         <source>By their reference system the points are in degrees, but one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
         <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="34"/>
-        <source>Point {name} is {height:.6g} m high, which is impossible on Earth; give heights in metres.</source>
-        <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="36"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="29"/>
         <source>According to the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
         <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="39"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="32"/>
         <source>The points&apos; rows are negative, as QGIS&apos;s georeferencer shows them; give them from the upper edge downwards, all positive, or the .points file itself.</source>
         <translation>Wiersze punktów są ujemne, jak pokazuje je georeferencer QGIS; podaj je od górnej krawędzi w dół, wszystkie dodatnie, albo podaj sam plik .points.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="44"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="37"/>
         <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
         <translation>Poza obrazem {columns} × {rows} px {count:leży|leżą|leży} {count} {count:punkt|punkty|punktów} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="56"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="49"/>
         <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
         <translation>Według RPC punkty leżą {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ współrzędnych i wysokości oraz czy jest to RPC tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="59"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="52"/>
         <source>According to the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="102"/>
-        <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
-        <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="104"/>
-        <source>The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
-        <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="118"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="99"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
         <source>No image with the RPC is written, as there is no image to copy; choose the image.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
         <source>{name} does not name the image {image} exactly once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
-        <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
-        <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
-        <source>The exterior orientation is not in metres, which the camera&apos;s perspective needs; give x, y and z in a projected reference system in metres.</source>
-        <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="195"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="171"/>
         <source>The camera of {name} looks at the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="176"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="177"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
-        <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
-        <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
-        <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
-        <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
-        <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
-        <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
-        <source>The constant height is {height:.6g} m, which is impossible on Earth; give it in metres.</source>
-        <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
-        <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which is impossible on Earth; set its nodata value, or choose another one.</source>
-        <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
-        <source>The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the orthoimage is displaced there; 10 to 30 m work best.</source>
-        <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
-        <source>The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend straight lines such as roads; 10 to 30 m work best.</source>
-        <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
-        <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
-        <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -5750,7 +5595,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="133"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -5785,11 +5630,6 @@
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
-        <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
-        <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/sensor_parameters.py" line="85"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
@@ -5815,102 +5655,102 @@
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="116"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="39"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="48"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="66"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="49"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="51"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="52"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="70"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -6415,17 +6255,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="117"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="114"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="118"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="122"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="119"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -6445,17 +6285,17 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="100"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="90"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
@@ -6560,47 +6400,47 @@
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -6755,72 +6595,72 @@
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest failure of the delivery can&apos;t be determined from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>the longest failure can&apos;t be determined from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
@@ -6960,32 +6800,32 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="118"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="119"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="111"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="130"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="131"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="123"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="134"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
         <source>Starts the random draw: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -7293,7 +7133,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -7659,12 +7499,12 @@
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="16"/>
+        <location filename="../plugin/imagery/messages.py" line="15"/>
         <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
@@ -7674,17 +7514,17 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="228"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="228"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="99"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -7694,12 +7534,12 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="64"/>
+        <location filename="../plugin/seams/desk/judging.py" line="59"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="204"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7709,7 +7549,7 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -7747,12 +7587,12 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="212"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="223"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -7894,7 +7734,7 @@
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="152"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="103"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -7914,22 +7754,22 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="116"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="193"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="132"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="143"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="206"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="144"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -7949,12 +7789,12 @@
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="158"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="109"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="162"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="113"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
@@ -7993,12 +7833,12 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="184"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -8008,22 +7848,22 @@
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="191"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="193"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="186"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="181"/>
+        <location filename="../plugin/seams/window_summary.py" line="187"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -8038,7 +7878,7 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to them first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -8072,57 +7912,57 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="126"/>
+        <location filename="../plugin/seams/words.py" line="120"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="134"/>
         <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="168"/>
+        <location filename="../plugin/seams/words.py" line="161"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="181"/>
+        <location filename="../plugin/seams/words.py" line="174"/>
         <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="198"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="217"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="135"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="182"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="262"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -8137,22 +7977,17 @@
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
-        <source>misfit</source>
-        <translation>niedopasowanie</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="131"/>
+        <location filename="../plugin/seams/window_summary.py" line="136"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="376"/>
+        <location filename="../plugin/seams/window_summary.py" line="385"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -8162,12 +7997,12 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="178"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="128"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="132"/>
+        <location filename="../plugin/seams/words.py" line="126"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
@@ -8176,12 +8011,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="371"/>
+        <location filename="../plugin/seams/window_summary.py" line="380"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="370"/>
+        <location filename="../plugin/seams/window_summary.py" line="379"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8191,32 +8026,32 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="250"/>
+        <location filename="../plugin/seams/measure/messages.py" line="246"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
         <source>The orthoimage is up to {most:.1f} px off the exact model, since an RPC approximates it.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="198"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="174"/>
         <source>The distortion of the camera is not valid at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="307"/>
+        <location filename="../plugin/seams/measure/messages.py" line="300"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <location filename="../plugin/seams/measure/messages.py" line="319"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="341"/>
+        <location filename="../plugin/seams/measure/messages.py" line="334"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -8331,122 +8166,112 @@
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
-        <source>{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may</source>
-        <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
         <source>{metres:.0f} m of seam are missing</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
-        <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.</source>
-        <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
         <source>The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
@@ -8456,67 +8281,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="205"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="307"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="307"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="262"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8606,12 +8431,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="214"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
@@ -8631,22 +8456,22 @@
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="291"/>
+        <location filename="../plugin/seams/measure/messages.py" line="284"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="295"/>
+        <location filename="../plugin/seams/measure/messages.py" line="288"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="352"/>
+        <location filename="../plugin/seams/measure/messages.py" line="345"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="133"/>
         <source>loss (m2)</source>
         <translation>strata (m2)</translation>
     </message>
@@ -8661,7 +8486,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <location filename="../plugin/seams/window_summary.py" line="333"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -8671,32 +8496,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="322"/>
+        <location filename="../plugin/seams/window_summary.py" line="335"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="345"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="335"/>
+        <location filename="../plugin/seams/window_summary.py" line="348"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="319"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="344"/>
+        <location filename="../plugin/seams/window_summary.py" line="351"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="375"/>
+        <location filename="../plugin/seams/window_summary.py" line="384"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -8706,7 +8531,7 @@
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="227"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -8747,10 +8572,6 @@
     <message>
         <source>Findings in the files</source>
         <translation>Uwagi do plików</translation>
-    </message>
-    <message>
-        <source>findings</source>
-        <translation>uwagi</translation>
     </message>
     <message>
         <source>No failures</source>
@@ -8829,22 +8650,22 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="118"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at least three times the percentage that you want.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="117"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -8984,72 +8805,72 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="277"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="271"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="8"/>
+        <location filename="../plugin/seams/measure/messages.py" line="431"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="11"/>
+        <location filename="../plugin/seams/measure/messages.py" line="434"/>
         <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="15"/>
+        <location filename="../plugin/seams/measure/messages.py" line="438"/>
         <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
+        <location filename="../plugin/seams/measure/messages.py" line="449"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
+        <location filename="../plugin/seams/measure/messages.py" line="451"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/messages.py" line="452"/>
         <source>{name} lacks bands of the mosaic: {bands}.</source>
         <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="30"/>
+        <location filename="../plugin/seams/measure/messages.py" line="453"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/messages.py" line="459"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
+        <location filename="../plugin/seams/measure/messages.py" line="463"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/messages.py" line="465"/>
         <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
+        <location filename="../plugin/seams/measure/messages.py" line="467"/>
         <source>Mending was stopped; start it again with the same outputs to continue.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/messages.py" line="469"/>
         <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="49"/>
+        <location filename="../plugin/seams/measure/messages.py" line="470"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -9084,22 +8905,22 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="161"/>
+        <location filename="../plugin/seams/desk/dock.py" line="111"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="112"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="22"/>
+        <location filename="../plugin/seams/desk/messages.py" line="23"/>
         <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
         <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="25"/>
+        <location filename="../plugin/seams/desk/messages.py" line="26"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -9177,62 +8998,37 @@
         <translation>Wysokość minimalna, z którą porównuje się wyniki, albo po jednej dla każdego sensora, typu obrazu lub kierunku: &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="47"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="40"/>
         <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m; apart from a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the heights are wrong, so check them and their unit.</source>
         <translation>Punkty ({count}: {names}) mają wysokości od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m; poza przesunięciem różnią się od RPC o {missed:.3g} px. Błędy i zalecenie nic nie znaczą, jeśli wysokości są złe, więc sprawdź je i ich jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="51"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="44"/>
         <source>{count} points lie outside the image ({names}), where its RPC places them, too; they are used.</source>
         <translation>Liczba punktów leżących poza obrazem ({names}) tam, gdzie widzi je także jego RPC: {count}; są używane.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="141"/>
-        <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac that does.</source>
-        <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac, który ją zawiera.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
         <source>{name} is read by the Python package PyYAML, which is not installed; install it, or give a camera as JSON or XML.</source>
         <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
         <source>The camera of {name} has a distortion that is not supported ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
         <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
-        <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
-        <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="173"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="153"/>
         <source>An interior orientation needs an exterior one; give it, too.</source>
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="55"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
         <source>For a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="126"/>
-        <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS&apos;s text or a YAML file of orthority. Without it and without a model file: the image&apos;s own RPC.</source>
-        <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, tekst ALOS albo plik YAML programu orthority. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="45"/>
-        <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac write it. Empty: in the file of the exterior orientation.</source>
-        <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac. Puste: w pliku orientacji zewnętrznej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="40"/>
-        <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
-        <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="54"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
@@ -9242,7 +9038,7 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -9257,17 +9053,17 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="383"/>
+        <location filename="../plugin/seams/measure/messages.py" line="381"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="395"/>
+        <location filename="../plugin/seams/measure/messages.py" line="393"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="178"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -9312,12 +9108,12 @@
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
@@ -9332,7 +9128,7 @@
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="123"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -9372,17 +9168,17 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="265"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="262"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="52"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="46"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/messages.py" line="426"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -9397,7 +9193,7 @@
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/messages.py" line="259"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -9472,107 +9268,102 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="174"/>
+        <location filename="../plugin/seams/words.py" line="167"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="39"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="41"/>
         <source>quotients of order 2 at most, without the terms that the points do not support</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="81"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="71"/>
         <source>Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="90"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="77"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or look for blunders (ROBUST).</source>
         <translation>{count} punktów odbiega od modelu znacznie bardziej niż pozostałe ({names}); sprawdź je albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
-        <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or look for blunders (ROBUST).</source>
-        <translation>Modelu parametrycznego nie da się dopasować do tych punktów; sprawdź, czy współrzędne nie są zamienione, a wysokości błędne, albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
         <source>According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
         <source>The rotation of {name} is read as {way} usually writes it, since no file states it; check the orthoimage&apos;s position.</source>
         <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="157"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
         <source>{name} is read in the plane tangent to the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read correctly only inside its project&apos;s folder.</source>
         <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w katalogu swojego projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="139"/>
         <source>Photos are placed by {exact}, the exact reconstruction beside {name}.</source>
         <translation>Zdjęcia są umieszczone według {exact}, dokładnej rekonstrukcji obok {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="141"/>
         <source>{name} is read in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
         <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="158"/>
         <source>{name} is oriented and is not in {folder}; it is left out.</source>
         <translation>{name} ma orientację, a nie ma go w {folder}; zostaje pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
         <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
         <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
         <source>The terrain is that of the project: {name}.</source>
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="43"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="61"/>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="27"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="219"/>
         <source>Orthorectify a block of photos</source>
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="42"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="234"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="45"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="237"/>
         <source>System of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="48"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="240"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="47"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="50"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="50"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
@@ -9650,37 +9441,37 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="285"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="273"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="39"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="40"/>
         <source>below it a loss is called significant</source>
         <translation>poniżej niej strata uchodzi za istotną</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="40"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="41"/>
         <source>Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous</source>
         <translation>Beeldmateriaal (NL) dopuszcza 2 % odstępstw, jeśli nie są ciągłe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="41"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="42"/>
         <source>half a standard window of 100 m</source>
         <translation>połowa standardowego okna 100 m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="42"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="43"/>
         <source>nothing is accepted on a guess</source>
         <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="101"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="91"/>
         <source>the software&apos;s default ({parameter}): {origin}</source>
         <translation>wartość domyślna programu ({parameter}): {origin}</translation>
     </message>
@@ -9695,32 +9486,22 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="26"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="199"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="176"/>
-        <source>Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos&apos; orientations (EXTERIOR).</source>
-        <translation>Wskaż katalog projektu OpenDroneMap (PHOTOS) albo plik orientacji zdjęć (EXTERIOR).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
-        <source>{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
-        <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="29"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="221"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are processed.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="37"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="229"/>
         <source>For a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="35"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="227"/>
         <source>Folder of an OpenDroneMap project, or of photos</source>
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
@@ -9734,7 +9515,7 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
         <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -9754,22 +9535,17 @@
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
-        <source>The terrain model {name} has {count} million pixels and no overviews to find its lowest and highest place by; build some (gdaladdo), or clip it to the photos.</source>
-        <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
-    </message>
-    <message>
         <location filename="../plugin/photos/measure/messages.py" line="116"/>
         <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
+        <location filename="../plugin/seams/measure/messages.py" line="455"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/messages.py" line="456"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
@@ -9799,22 +9575,22 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="113"/>
+        <location filename="../plugin/seams/window_summary.py" line="118"/>
         <source>Mixing alone would have taken {percent} % there.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="96"/>
+        <location filename="../plugin/seams/window_summary.py" line="95"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="98"/>
+        <location filename="../plugin/seams/window_summary.py" line="97"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="100"/>
+        <location filename="../plugin/seams/window_summary.py" line="99"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
@@ -9824,82 +9600,77 @@
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="115"/>
+        <location filename="../plugin/seams/window_summary.py" line="120"/>
         <source>Mixing alone would have taken {percent} % there; the cause of the rest is unclear.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="281"/>
+        <location filename="../plugin/seams/window_summary.py" line="294"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
-        <source>{apart} px misfit</source>
-        <translation>niedopasowanie {apart} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="280"/>
+        <location filename="../plugin/seams/window_summary.py" line="293"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="304"/>
+        <location filename="../plugin/seams/window_summary.py" line="317"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="308"/>
+        <location filename="../plugin/seams/window_summary.py" line="321"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="110"/>
+        <location filename="../plugin/seams/window_summary.py" line="115"/>
         <source>The cause of the loss along the seam is unclear.</source>
         <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="127"/>
+        <location filename="../plugin/seams/words.py" line="121"/>
         <source>blurred</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>Leave out that filter.</source>
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="136"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="169"/>
+        <location filename="../plugin/seams/words.py" line="162"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="186"/>
+        <location filename="../plugin/seams/words.py" line="178"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="197"/>
+        <location filename="../plugin/seams/words.py" line="189"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="208"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="218"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -9909,87 +9680,87 @@
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
+        <location filename="../plugin/seams/measure/messages.py" line="441"/>
         <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/messages.py" line="445"/>
         <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="296"/>
+        <location filename="../plugin/seams/window_summary.py" line="309"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="248"/>
+        <location filename="../plugin/seams/window_summary.py" line="261"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="289"/>
+        <location filename="../plugin/seams/window_summary.py" line="302"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="293"/>
+        <location filename="../plugin/seams/window_summary.py" line="306"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
         <source>Use {model}: {rmse:.2f} m on points not used in its fit (the best has {best:.2f} m). {why}</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
         <source>A parametric model needs few points and does not oscillate between them.</source>
         <translation>Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
         <source>The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>Without a parametric basis, quotients are the soundest models, but they need many, well spread points.</source>
         <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
         <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
         <source>Polynomials suit small areas only and oscillate between the points, so watch the check points.</source>
         <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="233"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="233"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="234"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="235"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="239"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -10004,107 +9775,92 @@
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
-        <source>{share:.2%} of the mosaic of {name} could not be read, for example around {place}</source>
-        <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>sheets of which nothing was measured: {count} ({names})</source>
         <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
         <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
         <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
         <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
         <source>layers of seams without the seal of a scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
         <source>files were changed since they were scanned: {count} ({names})</source>
         <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>files of the scanned mosaic can no longer be found: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
-        <source>; looked at: {share} of the mosaic</source>
-        <translation>; obejrzano: {share} ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
-        <source>; around {places}</source>
-        <translation>; przy {places}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="187"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -10119,32 +9875,32 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="36"/>
+        <location filename="../plugin/seams/desk/session.py" line="67"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="295"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="296"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
+        <location filename="../plugin/seams/measure/messages.py" line="410"/>
         <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
+        <location filename="../plugin/seams/measure/messages.py" line="414"/>
         <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/messages.py" line="418"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -10164,12 +9920,12 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="370"/>
+        <location filename="../plugin/seams/measure/messages.py" line="368"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="375"/>
+        <location filename="../plugin/seams/measure/messages.py" line="373"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -10221,7 +9977,7 @@
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz odcinki mają do {metres:.1f} m, co może ukryć dłuższą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
         <source>layers of seams whose mosaics are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
@@ -10231,42 +9987,42 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="256"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="170"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="172"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="185"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="190"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="180"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="183"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="243"/>
+        <location filename="../plugin/seams/desk/dock.py" line="252"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -10276,42 +10032,42 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="103"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="194"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="66"/>
+        <location filename="../plugin/seams/desk/judging.py" line="61"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="65"/>
+        <location filename="../plugin/seams/desk/judging.py" line="60"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="54"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="48"/>
         <source>Judge window after window: hides QGIS&apos;s panels and what lies over the mosaic (J); again: shows them as before</source>
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/hard_cut.py" line="277"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="275"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="14"/>
+        <location filename="../plugin/seams/measure/messages.py" line="407"/>
         <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
@@ -10321,7 +10077,7 @@
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="198"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="136"/>
         <source>code of the reason</source>
         <translation>kod powodu</translation>
     </message>
@@ -10331,62 +10087,42 @@
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
-        <source>The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that are missing.</source>
-        <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
-        <source>The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
-        <translation>Ortofotomapa {name} przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
-        <source>The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
-        <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="172"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
-        <source>of these may keep enough (95 %)</source>
-        <translation>z nich może zachować dość (95 %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -10416,12 +10152,12 @@
         <translation>Położenia „{mark}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="42"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="35"/>
         <source>According to the image or its RPC the points&apos; columns and rows are swapped; swap the two fields.</source>
         <translation>Według obrazu lub jego RPC kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="53"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="46"/>
         <source>According to the image&apos;s RPC the points&apos; heights are in feet: as metres they miss it by {metres:.3g} px, as feet by {feet:.3g} px; give metres.</source>
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
@@ -10429,10 +10165,6 @@
         <location filename="../plugin/toolkit/messages.py" line="70"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
-    </message>
-    <message>
-        <source>A seam is where the mosaic passes from one orthoimage to the next; where the two are blended, fine detail is lost. What is kept is measured piece by piece.</source>
-        <translation>Linia mozaikowania to miejsce, w którym ortofotomapa przechodzi z jednego ortoobrazu w drugi; gdzie oba są zmieszane, giną drobne detale. To, co zachowano, mierzy się odcinek po odcinku.</translation>
     </message>
     <message>
         <source>Shares refer to the measured metres. A piece counts in the sheet in which its middle lies.</source>
@@ -10447,57 +10179,52 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="115"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="115"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="13"/>
-        <source>Places of the scan added: {count}; windows that were there already: {there}.</source>
-        <translation>Dodane miejsca ze skanowania: {count}; okna, które już tam były: {there}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="18"/>
+        <location filename="../plugin/seams/desk/messages.py" line="19"/>
         <source>The windows in {name} are not in a windows file, so results and verdicts can&apos;t be saved with them. Copy them into one?</source>
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="169"/>
+        <location filename="../plugin/seams/desk/session.py" line="242"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="169"/>
+        <location filename="../plugin/seams/desk/session.py" line="242"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="433"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="433"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="68"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="93"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="97"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="134"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="138"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
@@ -10522,7 +10249,7 @@
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="215"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="153"/>
         <source>origin</source>
         <translation>pochodzenie</translation>
     </message>
@@ -10532,17 +10259,17 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.</source>
         <translation>{name} jest brany w układzie współrzędnych, który mu wybrano, {system}, a nie w układzie swojego pliku, {own}.</translation>
     </message>
@@ -10552,7 +10279,7 @@
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="336"/>
+        <location filename="../plugin/seams/measure/messages.py" line="329"/>
         <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -10562,12 +10289,12 @@
         <translation>Uzasadnienie słowami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: {names}</source>
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -10587,67 +10314,67 @@
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="255"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="253"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="299"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="299"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="182"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="179"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="210"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="209"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="294"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="294"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10662,37 +10389,37 @@
         <translation>Okna są w Twoim profilu, dopóki projekt nie zostanie zapisany, potem obok niego. Teraz są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="15"/>
+        <location filename="../plugin/seams/desk/messages.py" line="16"/>
         <source>{path} exists already: choose another folder, so that no document is replaced.</source>
         <translation>{path} już istnieje: wybierz inny katalog, aby żaden dokument nie został zastąpiony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="16"/>
+        <location filename="../plugin/seams/desk/messages.py" line="17"/>
         <source>The decision could not be saved in {folder} ({error}); choose another folder.</source>
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="234"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="242"/>
+        <location filename="../plugin/seams/measure/messages.py" line="238"/>
         <source>Along {metres:.0f} m of the seamlines, which name no orthoimage, the mosaic shows the same one on both sides: there is no seam, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="246"/>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
         <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="261"/>
+        <location filename="../plugin/seams/measure/messages.py" line="257"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="81"/>
+        <location filename="../plugin/seams/words.py" line="80"/>
         <source>at least {width}</source>
         <translation>co najmniej {width}</translation>
     </message>
@@ -10720,62 +10447,62 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="34"/>
+        <location filename="../plugin/seams/measure/messages.py" line="457"/>
         <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="38"/>
+        <location filename="../plugin/seams/measure/messages.py" line="460"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/messages.py" line="461"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
         <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="35"/>
+        <location filename="../plugin/imagery/messages.py" line="34"/>
         <source>&apos;{text}&apos; is not a projected or geographic coordinate reference system; write it as WKT, or as a code such as EPSG:2180.</source>
         <translation>„{text}” nie jest układem współrzędnych mapy (płaskim ani geograficznym); należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>{name} is {value}; give {expected}.</source>
         <translation>{name}: podano {value}; należy podać {expected}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="53"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax as numbers, the smaller ones first.</source>
         <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>
@@ -10790,32 +10517,32 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="289"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="137"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="240"/>
+        <location filename="../plugin/seams/desk/dock.py" line="249"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="353"/>
+        <location filename="../plugin/seams/window_summary.py" line="362"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="134"/>
+        <location filename="../plugin/seams/window_summary.py" line="140"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10825,7 +10552,7 @@
         <translation>Odcinek, który ma zachować 0, jest zawsze zgodny; podaj część, którą ma zachować, np. 0,7.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
         <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
@@ -10865,39 +10592,34 @@
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="137"/>
+        <location filename="../plugin/seams/words.py" line="130"/>
         <source>Feather less.</source>
         <translation>Wtapiaj węziej.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="42"/>
+        <location filename="../plugin/imagery/messages.py" line="41"/>
         <source>The table has no lines; make a frame of it by to_dataframe().</source>
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="253"/>
+        <location filename="../plugin/seams/measure/messages.py" line="249"/>
         <source>{path} names no reference system, so it is taken in the mosaic&apos;s.</source>
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="17"/>
         <source>{name} is read by GDAL&apos;s driver {driver}, which may open other files, a service or a database; save the part that is needed as GeoTIFF.</source>
         <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików, usługi lub bazy danych; zapisz potrzebną część jako GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="21"/>
+        <location filename="../plugin/imagery/messages.py" line="20"/>
         <source>{name} claims {columns} x {rows} px in blocks of {width} x {height} px, which no memory holds; save it again in tiles, or copy it again if it is damaged.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="366"/>
+        <location filename="../plugin/seams/measure/messages.py" line="359"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="15"/>
-        <source>{name} is closed; open it again to read it.</source>
-        <translation>Plik {name} jest zamknięty; otwórz go ponownie, aby go odczytać.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
@@ -10905,47 +10627,37 @@
         <translation>najwyżej {limit:.1f} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>The layer &apos;{name}&apos; can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
-        <source>The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 pixels.</source>
-        <translation>Linie mozaikowania są podane ({name}); brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
-        <source>The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
-        <translation>Linie mozaikowania znaleziono z pikseli ({name}), a szerokie wtapianie część z nich ukrywa. Podaj przy skanowaniu linie od wykonawcy, aby zmierzyć wszystkie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
         <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="205"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="195"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10964,27 +10676,27 @@
         <translation>Linia przerywana biegnie wzdłuż usterki, w ramce jest środek odcinka, który zachował najmniej. Obok w powiększeniu 2×: ortofotomapa, jej ortoobrazy cięte ostro i każdy ortoobraz; znaki na krawędziach wskazują linię mozaikowania, szachownica brak danych. Krzywa to pomiar tego odcinka przez skanowanie: szary jest oceniany pas, gruba linia to, co się w nim zachowało, czerwona to granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}</source>
         <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}; {risks}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
         <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}</source>
         <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %; {risks}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
         <source>{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="44"/>
         <source>Some places can&apos;t be transformed to another coordinate reference system; check the systems of the layers.</source>
         <translation>Niektórych położeń nie da się przeliczyć do innego układu współrzędnych; sprawdź układy warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="102"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address, the network, and GDAL&apos;s settings and credentials, or copy it to a local disk.</source>
         <translation>Nie można odczytać {name} przez sieć ({why}); sprawdź adres, sieć oraz ustawienia i dane logowania GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
@@ -10997,11 +10709,6 @@
         <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
-        <source>Inspected windows: their causes and remarks go to the failures in them.</source>
-        <translation>Skontrolowane okna: ich przyczyny i uwagi trafiają do usterek, które w nich leżą.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
@@ -11029,42 +10736,42 @@
         <translation>Nie rozstrzygnięto według „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>sheets that differ from others where they overlap, which nobody has checked: {count} ({names})</source>
         <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>different scans of one mosaic are given: {count} ({names})</source>
         <translation>podano różne skany tej samej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
         <source>the files given are not the ones that were scanned: {count} ({names})</source>
         <translation>podano pliki, które nie są tymi, które skanowano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
         <source>{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along {unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ</source>
         <translation>ocenia się {judged:.0f} m linii mozaikowania; wzdłuż {unchanged:.0f} m z nich po obu stronach leży ten sam ortoobraz, a wzdłuż {unseen:.0f} m, których się nie ocenia, skanowanie zobaczyło jego zmianę (najdłuższa w okolicy {place}); różnić się może {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
         <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them to the scan.</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj do skanowania ortoobrazy po ich bokach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not measured.</source>
         <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
@@ -11079,12 +10786,12 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="287"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="286"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="56"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="52"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
@@ -11099,7 +10806,7 @@
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="135"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
@@ -11124,21 +10831,17 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
     <message>
-        <source>A failure is an unbroken row of failed pieces, along one seam or through a node where exactly two failed pieces meet. Between two of them may lie one that was not measured, no longer than a typical piece. Kept and the orthoimages refer to the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
-        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Między dwoma z nich może leżeć jeden niezmierzony, nie dłuższy od typowego. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/messages.py" line="422"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="118"/>
         <source>Several of a model file, an RPC file and a photo&apos;s orientation are given; choose one of them.</source>
         <translation>Podano kilka spośród: plik modelu, plik RPC i orientacja zdjęcia; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
         <source>Angles of {name} reach {angle:.6g} and are taken as degrees; if they are in {unit}, set their unit.</source>
         <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; jeśli ich jednostką jest {unit}, ustaw ją.</translation>
     </message>
@@ -11148,17 +10851,17 @@
         <translation>Odcinek próby nie leży na ortofotomapie; podaj tę, która obejmuje wszystkie arkusze, i sprawdź układy odniesienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place counted once, {share:.2%} would have failed.</source>
         <translation>{metres:.1f} m spośród zmierzonych powtarza to, co zmierzył inny skan, bo skanowane ortofotomapy się nakładają. Gdyby każde miejsce liczyło się raz, niezgodne byłoby {share:.2%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
         <source>What would decide it: one scan of each mosaic, and of sheets that overlap as one mosaic.</source>
         <translation>Co by rozstrzygnęło: jeden skan każdej ortofotomapy, a arkuszy, które się nakładają, jako jednej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>{name} can&apos;t be read as a layer of lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; wybierz warstwę „Odcinki linii mozaikowania” ze skanu.</translation>
     </message>
@@ -11192,47 +10895,42 @@
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami, nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
-        <source>Only {share:.0%} of the mosaic of {name} were scanned, those in its corridor; seams elsewhere are unknown.</source>
-        <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="29"/>
         <source>{name} has no coordinate reference system (CRS); set it where the raster is opened, or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych (CRS); ustaw go tam, gdzie raster jest otwierany, albo zapisz go w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <location filename="../plugin/imagery/messages.py" line="54"/>
         <source>The window lies outside the mosaic; choose a place on it.</source>
         <translation>Okno leży poza ortofotomapą; wybierz miejsce na niej.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="57"/>
+        <location filename="../plugin/imagery/messages.py" line="56"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so take a larger one, or use fewer levels where these ask for more than 64 px.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; weź większe okno albo, jeśli poziomy wymagają więcej niż 64 px, zmniejsz ich liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="60"/>
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>The window covers {width} x {height} px of the mosaic, but {most} million px are the most; take a smaller one.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; weź mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>The seamline layer holds no line and no polygon; give that of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; podaj warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="87"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
@@ -11257,37 +10955,27 @@
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="155"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="157"/>
         <source>Save the chart as a picture</source>
         <translation>Zapisz wykres jako obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="139"/>
-        <source>Live: {columns} x {rows} px under the mouse</source>
-        <translation>Na żywo: {columns} × {rows} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="61"/>
+        <location filename="../plugin/seams/desk/dock.py" line="62"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
-        <source>{asked} m does not fit this mosaic: {side} m, every {spacing} m</source>
-        <translation>{asked} m nie pasuje do tej ortofotomapy: {side} m, co {spacing} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="171"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="168"/>
         <source>{count} windows selected.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="118"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="112"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -11297,12 +10985,12 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="267"/>
+        <location filename="../plugin/seams/measure/messages.py" line="263"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="271"/>
+        <location filename="../plugin/seams/measure/messages.py" line="267"/>
         <source>The geometry of no feature of the seamline layer can be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
@@ -11341,27 +11029,22 @@
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="135"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m, with which some {share:.0%} of the metres would be measured and {least:.0%} are required.</source>
         <translation>Co by rozstrzygnęło: skan z odcinkami {piece:.0f} m, przy których zmierzyłoby się około {share:.0%} metrów, a wymaga się {least:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
-        <source>What would decide it: an operator&apos;s look at {wanted:.0f} of the {lacking:.0f} m that were not measured; whoever signs decides by that. A scan of these orthoimages can&apos;t: no pieces short enough to show a failure would measure enough, for the reasons in the field &apos;reason&apos; of the seams.</source>
-        <translation>Co by rozstrzygnęło: obejrzenie przez operatora {wanted:.0f} z {lacking:.0f} m, których nie zmierzono; na tej podstawie rozstrzyga ten, kto podpisuje. Skan tych ortoobrazów nie rozstrzygnie: przy żadnej długości odcinków, która ukazuje usterki, nie zmierzyłby dość; powody podaje pole „reason” linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
         <source>What would decide it: an operator&apos;s look, by which whoever signs decides, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora, na którego podstawie rozstrzyga ten, kto podpisuje, bo wszystkie linie mozaikowania leżą na terenie bez szczegółów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
         <source>What would decide it: an operator&apos;s look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}); whoever signs decides by that.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora odcinków, których przedziały obejmują próg ({metres:.0f} m, odcinków: {count}); na tej podstawie rozstrzyga ten, kto podpisuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
         <source>What would decide it: an operator&apos;s look at the rows of pieces longer than {limit:.0f} m that were not measured; whoever signs decides by that. The field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora ciągów niezmierzonych odcinków dłuższych niż {limit:.0f} m; na tej podstawie rozstrzyga ten, kto podpisuje. Pole „reason” linii mozaikowania podaje, dlaczego każdego z nich nie zmierzono.</translation>
     </message>
@@ -11371,12 +11054,12 @@
         <translation>Nierozstrzygnięte są też: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
         <source>orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured</source>
         <translation>skanowanie nie miało ortoobrazów, które wymieniają linie mozaikowania ({names}), więc linii obok nich nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
         <source>What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.</source>
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
@@ -11386,18 +11069,14 @@
         <translation>inne powody</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
-    </message>
-    <message>
-        <source>The decision is on the seams only. Not checked: sharpness of the mosaic as a whole (one that is evenly blurred has sound seams), damage in one colour alone, positional accuracy, the orthoimages themselves, clouds and shadows, ground hidden by buildings, metadata.</source>
-        <translation>Decyzja dotyczy tylko linii mozaikowania. Nie sprawdzono: ostrości ortofotomapy jako całości (równomiernie rozmyta ma linie zgodne), uszkodzeń w jednym tylko kolorze, dokładności położenia, samych ortoobrazów, chmur i cieni, terenu zasłoniętego przez budynki, metadanych.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
@@ -11415,17 +11094,17 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed. If all of it failed, {worst:.1%} would fail.</source>
         <translation>{metres:.1f} z {all:.1f} m linii mozaikowania nie dało się zmierzyć; nie liczą się ani jako zgodne, ani jako niezgodne. Gdyby wszystkie były niezgodne, niezgodnych byłoby {worst:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -11455,7 +11134,7 @@
         <translation>{near} do {far} m: zachowano {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="133"/>
         <source>There are no curves where the window around the piece has pixels without a value.</source>
         <translation>Nie ma krzywych tam, gdzie okno wokół odcinka ma piksele bez wartości.</translation>
     </message>
@@ -11465,12 +11144,12 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
         <source>By the scan, this piece of seam: {finding} The curves are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Krzywe dotyczą okna wokół niego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
         <source>All compared windows are judged; {rest}.</source>
         <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
     </message>
@@ -11480,22 +11159,22 @@
         <translation>Warstwa {name} zostaje w {old}, bo nie można jej przenieść do {folder} ({error}); wyeksportuj ją stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <location filename="../plugin/seams/desk/messages.py" line="15"/>
         <source>Windows of this mosaic were restored. The project lacked them; they are in {path}.</source>
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="203"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="197"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="199"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="268"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="262"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -11509,7 +11188,7 @@
         <translation>U</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="74"/>
+        <location filename="../plugin/seams/desk/judging.py" line="69"/>
         <source>{count} not comparable or not inspected</source>
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
@@ -11522,6 +11201,252 @@
         <location filename="../plugin/photos/measure/messages.py" line="109"/>
         <source>The folder {path} does not exist, or holds neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Katalog {path} nie istnieje albo nie zawiera ani warstw z polem „mark”, ani plików MeasuresIm-*.xml programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <source>Inspected windows: each gives its cause and remarks to the failure nearest to its middle.</source>
+        <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterce najbliższej swojego środka.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
+        <source>{share:.0%} of the mosaic of &apos;{name}&apos; match no orthoimage and {limit:.0%} may</source>
+        <translation>{share:.0%} ortofotomapy „{name}” nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <source>the mosaic of &apos;{name}&apos; does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them</source>
+        <translation>ortofotomapa „{name}” nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <source>{share:.2%} of the mosaic of &apos;{name}&apos; could not be read, such as around {place}</source>
+        <translation>nie udało się odczytać {share:.2%} ortofotomapy „{name}”, na przykład wokół {place}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <source>What would decide it: an operator&apos;s look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not measure enough; the field &apos;reason&apos; of the seams says why.</source>
+        <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie decyduje podpisujący. Skanowanie tych ortoobrazów z odcinkami dość krótkimi, by wykazać usterkę, nie zmierzyłoby wystarczająco dużo; przyczyny podaje pole „reason” linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
+        <source>What would decide it: a scan with the orthoimages that are missing.</source>
+        <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <source>What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them have a wrong georeference.</source>
+        <translation>Co by rozstrzygnęło: skanowanie ortofotomapy i ortoobrazów, które leżą w tym samym miejscu. Zapytaj wykonawcę, które z nich mają błędną georeferencję.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
+        <source>The scan of &apos;{name}&apos; found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that it was made from, placed as it is.</source>
+        <translation>Skanowanie „{name}” nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z ortoobrazami, z których ją wykonano, leżącymi tam, gdzie ona.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <source>The mosaic of &apos;{name}&apos; passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
+        <translation>Ortofotomapa „{name}” przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
+        <source>Only {share:.0%} of the mosaic of &apos;{name}&apos; were scanned, in its corridor; seams elsewhere are unknown.</source>
+        <translation>W „{name}” obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <source>The seamlines of &apos;{name}&apos; name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
+        <translation>Linie mozaikowania „{name}” wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <source>The scan of &apos;{name}&apos; measured along the seamlines that it was given; a seam that these lack is noticed only if it is longer than some 150 pixels.</source>
+        <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <source>The scan of &apos;{name}&apos; found the seams from the pixels, and wide feathers hide some of them. Give it the producer&apos;s seamlines to measure all of them.</source>
+        <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, a szerokie wtapianie część z nich ukrywa. Podaj mu linie od wykonawcy, aby zmierzyć wszystkie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <source>pieces not measured</source>
+        <translation>odcinki niezmierzone</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <source>; most of it around {place}</source>
+        <translation>; najwięcej przy {place}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <source>of these may keep enough</source>
+        <translation>z nich może zachować dość</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="81"/>
+        <source>Live: {columns} x {rows} px</source>
+        <translation>Na żywo: {columns} × {rows} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
+        <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <source>No window there: parts of it have no pixels.</source>
+        <translation>Nie ma tam okna: części pikseli brak.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <source>Places added: {count}; there already: {there}.</source>
+        <translation>Dodane miejsca: {count}; już były: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
+        <source>{count} have no curves in it: inspect them again.</source>
+        <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="434"/>
+        <source>how sure you are of window {number}</source>
+        <translation>pewność oceny okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="434"/>
+        <source>how sure you are of {count} windows</source>
+        <translation>pewność oceny okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="431"/>
+        <source>remark on window {number}</source>
+        <translation>uwaga do okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="431"/>
+        <source>remark on {count} windows</source>
+        <translation>uwaga do okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="142"/>
+        <source>Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.</source>
+        <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="363"/>
+        <source>The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.</source>
+        <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <source>images {value} px apart</source>
+        <translation>obrazy przesunięte o {value} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <source>images do not fit</source>
+        <translation>obrazy nie pasują do siebie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="12"/>
+        <source>{name} holds no sound ground control points; choose a layer or a file of points.</source>
+        <translation>{name} nie zawiera poprawnych fotopunktów; wybierz warstwę albo plik z punktami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
+        <source>it has no height, and no terrain model has one there.</source>
+        <translation>nie ma wysokości i nie ma jej tam żaden NMT.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="59"/>
+        <source>There are {count} control points and the model {model} needs at least {fewest}; measure more, lower the share of check points, or choose a model with fewer unknowns.</source>
+        <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów, zmniejsz udział punktów kontrolnych albo wybierz model o mniejszej liczbie niewiadomych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="90"/>
+        <source>The model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, look for blunders (ROBUST), or choose a model with fewer unknowns.</source>
+        <translation>Modelu nie da się dopasować do tych punktów; sprawdź, czy współrzędne nie są zamienione, a wysokości błędne, włącz wyszukiwanie błędów grubych (ROBUST) albo wybierz model o mniejszej liczbie niewiadomych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
+        <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; check their places, heights and reference system, choose a lower order, or add points.</source>
+        <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; sprawdź ich położenia, wysokości i układ współrzędnych, wybierz niższy stopień albo dodaj punkty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="121"/>
+        <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture that does.</source>
+        <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho lub ContextCapture, który ją zawiera.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
+        <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture or orthority.</source>
+        <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture lub orthority.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
+        <source>Choose the folder of an OpenDroneMap project, with opensfm/reconstruction.json in it (PHOTOS), or the file of the photos&apos; orientations (EXTERIOR).</source>
+        <translation>Wskaż katalog projektu OpenDroneMap, w którym jest opensfm/reconstruction.json (PHOTOS), albo plik orientacji zdjęć (EXTERIOR).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
+        <source>The exterior orientation {name} is in no projected coordinate reference system in metres, which the camera&apos;s perspective needs; set one, with x, y and z in it.</source>
+        <translation>Orientacja zewnętrzna {name} nie jest w płaskim układzie współrzędnych w metrach, a tylko w takim kamera ma swoją perspektywę; ustaw taki układ i podaj w nim x, y i z.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
+        <source>Heights that refer to geoid need a grid file (GEOID), and no others do; give both or neither.</source>
+        <translation>Wysokości odniesione do geoid wymagają pliku siatki (GEOID), a inne go nie potrzebują; podaj oba albo żadne z nich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
+        <source>Give either a terrain model or, where the terrain is flat, a constant height.</source>
+        <translation>Podaj albo NMT, albo, gdy teren jest płaski, stałą wysokość.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="191"/>
+        <source>Heights from {low:.6g} to {high:.6g} m ({name}) are impossible on Earth; give metres, the lowest first, and set the nodata value of a terrain model.</source>
+        <translation>Wysokości od {low:.6g} do {high:.6g} m ({name}) nie ma nigdzie na Ziemi; podaj metry, najpierw najniższą, a w NMT ustaw wartość braku danych (nodata).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
+        <source>The terrain model {name} has a grid spacing of {mesh:.1f} m; 10 to 30 m work best: a coarser grid loses relief, and a finer one may bend straight lines such as roads in a satellite image.</source>
+        <translation>NMT {name} ma oczka {mesh:.1f} m; najlepsze są od 10 do 30 m: w większych ginie rzeźba terenu, a mniejsze mogą na obrazie satelitarnym wyginać linie proste, na przykład drogi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
+        <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture or orthority.</source>
+        <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture lub orthority.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
+        <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. Empty: in the file of the exterior orientation.</source>
+        <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho lub ContextCapture. Puste: w pliku orientacji zewnętrznej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
+        <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
+        <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
+        <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, or a TIFF that holds such points. Empty: those inside the image.</source>
+        <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
+    </message>
+    <message>
+        <source>A seam is where the mosaic passes from one orthoimage to the next; where the two are blended, fine detail is lost.</source>
+        <translation>Linia mozaikowania to miejsce, w którym ortofotomapa przechodzi z jednego ortoobrazu w drugi; gdzie oba są zmieszane, giną drobne detale.</translation>
+    </message>
+    <message>
+        <source>A failure is counted along one seam, and further where exactly two failed pieces meet; counted through all nodes, the longest would be {metres}.</source>
+        <translation>Usterkę liczy się wzdłuż jednej linii mozaikowania i dalej tam, gdzie spotykają się dokładnie dwa niezgodne odcinki; liczona przez wszystkie węzły najdłuższa miałaby {metres}.</translation>
+    </message>
+    <message>
+        <source>The decision is on the seams only. Not checked: sharpness of the mosaic as a whole, damage in one colour alone, positional accuracy, the orthoimages themselves, clouds and shadows, ground hidden by buildings, metadata.</source>
+        <translation>Decyzja dotyczy tylko linii mozaikowania. Nie sprawdzono: ostrości ortofotomapy jako całości, uszkodzeń w jednym tylko kolorze, dokładności położenia, samych ortoobrazów, chmur i cieni, terenu zasłoniętego przez budynki, metadanych.</translation>
+    </message>
+    <message>
+        <source>Between two failed pieces of a failure may lie one that was not measured, no longer than a typical piece. Kept and the orthoimages refer to the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
+        <translation>Między dwoma niezgodnymi odcinkami usterki może leżeć jeden niezmierzony, nie dłuższy od typowego. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
     </message>
 </context>
 </TS>

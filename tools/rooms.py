@@ -33,19 +33,19 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(4674, 0, 0),
-    "plugin/seams/measure": Measures(17665, 1, 0),
-    "plugin/seams": Measures(12998, 0, 0),
+    "plugin/imagery": Measures(4677, 0, 0),
+    "plugin/seams/measure": Measures(16972, 1, 0),
+    "plugin/seams": Measures(12994, 0, 0),
     "plugin/acceptance": Measures(5393, 1, 0),
-    "plugin/toolkit": Measures(4434, 0, 0),
-    "plugin/noise": Measures(1961, 0, 0),
+    "plugin/toolkit": Measures(4469, 0, 0),
+    "plugin/noise": Measures(1959, 0, 0),
     "plugin/radiometry": Measures(1998, 0, 0),
     "plugin/resolution": Measures(3070, 0, 0),
     "plugin/photos": Measures(3477, 0, 0),
-    "plugin/sensors": Measures(5604, 0, 0),
-    "plugin": Measures(343, 0, 0),
-    "python": Measures(1075, 0, 0),
-    "tests": Measures(48666, 0, 0),
+    "plugin/sensors": Measures(5203, 0, 0),
+    "plugin": Measures(341, 0, 0),
+    "python": Measures(1068, 0, 0),
+    "tests": Measures(47891, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 
