@@ -694,42 +694,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="199"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="199"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="222"/>
+        <location filename="../plugin/seams/desk/dock.py" line="223"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="222"/>
+        <location filename="../plugin/seams/desk/dock.py" line="223"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -739,12 +739,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="251"/>
+        <location filename="../plugin/seams/desk/dock.py" line="252"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="385"/>
+        <location filename="../plugin/seams/desk/dock.py" line="386"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -3988,7 +3988,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="224"/>
+        <location filename="../plugin/seams/desk/dock.py" line="225"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4343,22 +4343,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4993,17 +4993,17 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="353"/>
+        <location filename="../plugin/seams/desk/dock.py" line="354"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="362"/>
+        <location filename="../plugin/seams/desk/dock.py" line="363"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="359"/>
+        <location filename="../plugin/seams/desk/dock.py" line="360"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5240,7 +5240,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="315"/>
+        <location filename="../plugin/seams/desk/dock.py" line="316"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7514,12 +7514,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="228"/>
+        <location filename="../plugin/seams/desk/dock.py" line="229"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="228"/>
+        <location filename="../plugin/seams/desk/dock.py" line="229"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8431,7 +8431,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="214"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -8905,12 +8905,12 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="111"/>
+        <location filename="../plugin/seams/desk/dock.py" line="112"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="112"/>
+        <location filename="../plugin/seams/desk/dock.py" line="113"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -10022,7 +10022,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="252"/>
+        <location filename="../plugin/seams/desk/dock.py" line="253"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -10179,12 +10179,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="115"/>
+        <location filename="../plugin/seams/desk/dock.py" line="116"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="115"/>
+        <location filename="../plugin/seams/desk/dock.py" line="116"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -10527,12 +10527,12 @@
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="249"/>
+        <location filename="../plugin/seams/desk/dock.py" line="250"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -10960,7 +10960,7 @@
         <translation>Zapisz wykres jako obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="62"/>
+        <location filename="../plugin/seams/desk/dock.py" line="63"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
@@ -11235,7 +11235,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
         <source>What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them have a wrong georeference.</source>
-        <translation>Co by rozstrzygnęło: skanowanie ortofotomapy i ortoobrazów, które leżą w tym samym miejscu. Zapytaj wykonawcę, które z nich mają błędną georeferencję.</translation>
+        <translation>Co by rozstrzygnęło: badanie ortofotomapy i ortoobrazów, które leżą w tym samym miejscu. Zapytaj wykonawcę, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="242"/>

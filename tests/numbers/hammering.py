@@ -39,7 +39,6 @@ def near(tree: spatial.cKDTree) -> np.ndarray:
 
 HAMMERED: dict[str, Callable[[], object]] = {
     "numpy.fft.fftfreq": lambda: np.fft.fftfreq(64),
-    "numpy.fft.rfft": lambda: np.fft.rfft(VALUES, 1024),
     "numpy.linalg.det": lambda: np.linalg.det(SQUARE),
     "numpy.linalg.eigh": lambda: np.linalg.eigh(SYMMETRIC)[1],
     "numpy.linalg.eigvalsh": lambda: np.linalg.eigvalsh(SYMMETRIC),

@@ -47,6 +47,7 @@ from .session import Session
 from .windows.windows_panel import WindowsPanel
 
 _FEWEST_ROWS = 6  # of windows: fewer show no neighbours of the one that is judged
+_TASK_COMPLETE = "QgisApp", "Task complete"  # in QGIS's own translation
 
 
 class InspectionDock(ToolDock):
@@ -152,7 +153,7 @@ class InspectionDock(ToolDock):
 
     def _drop_notice(self, *_: object) -> None:
         """QGIS before 3.26 says that a task is complete, over what the desk says of it."""
-        bar, title = self._iface.messageBar(), QCoreApplication.translate("QgisApp", "Task complete")
+        bar, title = self._iface.messageBar(), QCoreApplication.translate(*_TASK_COMPLETE)
         item = bar.currentItem()
         if item is not None and item.title() == title and item.text() in BackgroundTask.described:
             bar.popWidget(item)

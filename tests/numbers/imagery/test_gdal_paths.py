@@ -159,7 +159,7 @@ OPENING = re.compile(
 )
 OPENED_BY = {
     "documents.py": {"json.loads", "expat.P"}, "gdal_paths.py": {"gdal.OpenEx", "sqlite3.connect"},
-    "window_layer.py": {"QgsVectorLayer"}, "outputs.py": {"sqlite3.connect", "mapLayerFromString"},
+    "window_layer.py": {"QgsVectorLayer"}, "outputs.py": {"mapLayerFromString"},
     "fit_files.py": {"json.loads"}, "open_raster.py": {"gdal.BuildVRT"}, "delivered_files.py": {"gdal.BuildVRT"},
     "layers.py": {"mapLayerFromString"}, "delivery_layers.py": {"mapLayerFromString", "QgsVectorLayer"},
     "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "hard_cut.py": {"QgsRasterLayer"},

@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.mending import dressing
+from seam_inspector.plugin.seams.measure.mending import new_cut
 
 from tests.numbers.synthetic import texture
 
@@ -19,7 +19,7 @@ def eased(
 ) -> np.ndarray:
     """One band eased."""
     images = [first[np.newaxis], second[np.newaxis]]
-    return np.asarray(dressing.eased(images, weight, mosaic[np.newaxis], inside, valid)[0])
+    return np.asarray(new_cut.eased(images, weight, mosaic[np.newaxis], inside, valid)[0])
 
 
 def left_of_border() -> np.ndarray:
@@ -71,10 +71,10 @@ def test_the_rim_of_a_patch_has_the_mosaics_tones() -> None:
 def test_how_much_of_the_mosaics_detail_a_source_has() -> None:
     shown, other = image(9), image(10)
     mosaic = np.rint(shown).astype(np.uint8)
-    assert dressing.shown_detail(shown, mosaic, WHOLE) > 0.99
+    assert new_cut.shown_detail(shown, mosaic, WHOLE) > 0.99
     for part in (0.02, 0.6):
-        assert dressing.shown_detail(part * shown, mosaic, WHOLE) == pytest.approx(part, abs=0.01)
+        assert new_cut.shown_detail(part * shown, mosaic, WHOLE) == pytest.approx(part, abs=0.01)
     noisy = np.rint(shown + 9 * texture(SHAPE, 0.0, 11)).astype(np.uint8)
-    assert dressing.shown_detail(shown, noisy, WHOLE) > 0.95
-    assert dressing.shown_detail(9 * other, mosaic, WHOLE) < 0.05
-    assert dressing.shown_detail(shown, np.full(SHAPE, 90, np.uint8), WHOLE) is None
+    assert new_cut.shown_detail(shown, noisy, WHOLE) > 0.95
+    assert new_cut.shown_detail(9 * other, mosaic, WHOLE) < 0.05
+    assert new_cut.shown_detail(shown, np.full(SHAPE, 90, np.uint8), WHOLE) is None
