@@ -257,7 +257,7 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)] * is_whole
     lost = 1 - (row.kept_1 or 0.0)
     if _is_seam_decisive(row, explanation):
-        said, causes = _lost_along(row, lost, is_whole, width), at_seam
+        said, causes = _lost_along(lost, width), at_seam
         in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
         clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(cause) for cause in in_whole[:1])
     else:
@@ -288,13 +288,11 @@ def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
     return _kept_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2 if explanation is None else explanation.ground_left < 1
 
 
-def _lost_along(row: WindowRecord, lost: float, is_whole: bool, width: str) -> str:
-    """``is_whole``: there is more of the loss elsewhere, so that its area is told apart."""
+def _lost_along(lost: float, width: str) -> str:
     text = tr("{lost} % of detail lost in {width} m along the seam") if width else tr(
         "{lost} % of detail lost beside the seam"
     )
-    said = filled(text, lost=percent(lost), width=width)
-    return said if is_whole or row.loss is None else f"{said} ({shown_area(row.loss)})"
+    return filled(text, lost=percent(lost), width=width)
 
 
 def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:

@@ -84,7 +84,7 @@ def bad_values(definition: QgsProcessingParameterDefinition) -> Iterator[tuple[A
     title = re.escape(definition.description())
     if isinstance(definition, QgsProcessingParameterNumber):
         for value in (math.nan, math.inf, -math.inf):
-            yield value, f"'{title}' is {value:g}; give a number"
+            yield value, f"'{title}' is '{value:g}', which is not a number"
         least, most = definition.minimum(), definition.maximum()
         for value in ([least - 1] if abs(least) < LARGEST else []) + ([most + 1] if abs(most) < LARGEST else []):
             yield value, f"'{title}' is {re.escape(f'{value:g}')}; give"

@@ -202,7 +202,9 @@ class AcceptPage(QDialog):
     # What was decided
 
     def _decided(self, is_successful: bool, results: Mapping[str, Any]) -> None:
-        self._task, self._shown = None, ""
+        self._task = None
+        if is_successful and (shown := self._shown_failures()) is not None:  # of the decision before
+            self._project.removeMapLayer(shown.id())
         self.files = {name: file for name, file in self._made.items() if is_successful and file.is_file()}
         if is_successful:
             self._say(str(results["DECISION"]), f"{results['REASONS']}.")

@@ -156,7 +156,7 @@ class InspectionDock(ToolDock):
         bar, title = self._iface.messageBar(), QCoreApplication.translate(*_TASK_COMPLETE)
         item = bar.currentItem()
         if item is not None and item.title() == title and item.text() in BackgroundTask.described:
-            bar.popWidget(item)
+            bar.popWidget()  # with its countdown, which would else end the message below
 
     def _tell_findings(self, done: ScanDone) -> None:
         self._forget_findings()

@@ -20,6 +20,7 @@ from .judging import Judging
 from .map.window_tool import ClickedPieces
 from .map.window_view import WindowOutline, WindowView
 from .mosaic_scans import worst_layer
+from .window_home import FAILURES
 from .windows.windows_panel import WindowsPanel
 
 if TYPE_CHECKING:
@@ -181,9 +182,12 @@ def over_the_mosaic(session: Session) -> Iterator[QgsLayerTreeNode]:
 
 
 def covering(session: Session) -> Iterator[QgsLayerTreeNode]:
-    """The seamlines, and the group that the last scan of the mosaic left."""
+    """The seamlines, failures of decisions, and the group that the last scan of the mosaic left."""
     project = QgsProject.instance()
     root = project.layerTreeRoot()
+    for layer in project.mapLayers().values():
+        if layer.customProperty(FAILURES) and (node := root.findLayer(layer.id())) is not None:
+            yield node
     if (seamlines := root.findLayer(session.inputs.seamlines)) is not None:
         yield seamlines
     worst = worst_layer(project, session.inputs.mosaic)

@@ -127,7 +127,7 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
         ({}, f"Significant loss. {STRIP}: feathered. {CUT}"),
         (
             {"visibility": 1.42, "feather_width": 1.53, "loss": 81.4},
-            f"Significant loss. {STRIP} (81 m²): feathered. {CUT}",
+            f"Significant loss. {STRIP}: feathered. {CUT}",
         ),
         (
             {"causes": "feathering; misregistration", "misfit": 2.04, "feather_width": 1.5},

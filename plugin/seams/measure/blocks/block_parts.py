@@ -91,15 +91,17 @@ def measure_part(
 
 
 def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
-    """Largest rms of the sources' finest detail in every cell, (rows, columns) of cells; NaN where the mosaic has no
-    pixels, ``known``, since what fills it there makes a step, and where no source has, which says nothing of detail."""
+    """Largest rms of the finest detail of the mosaic or its sources in every cell, (rows, columns) of cells: what was
+    smoothed in the sources alone is no even ground. NaN where the mosaic has no pixels, ``known``, since what fills it
+    there makes a step, and where no source has, which says nothing of detail."""
     squares, everywhere = [], narrowed(known, HIGH_PASS_PX)
     for number, fine in enumerate(sources.fine[1:]):
         inner = narrowed(known & sources.valid[number], HIGH_PASS_PX) if number in sources.valid else everywhere
         seen = square_shares(inner, CELL_PX) * CELL_PX**2
         total = square_sums(fine, fine if inner.all() else fine * inner, CELL_PX)
         squares.append(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
-    return np.sqrt(np.fmax.reduce(squares))
+    of_sources, of_mosaic = np.fmax.reduce(squares), square_sums(sources.fine[0], sources.fine[0], CELL_PX) / CELL_PX**2
+    return np.sqrt(np.maximum(of_sources, of_mosaic))
 
 
 def guesses(labels: np.ndarray, likely: np.ndarray) -> np.ndarray:

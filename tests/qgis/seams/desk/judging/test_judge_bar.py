@@ -17,10 +17,10 @@ DESCENDING = Qt.SortOrder.DescendingOrder
     ("fids", "sentence"),
     [
         ([], "Select a window to judge it."),
-        ([1], "Reduced. 10.0 % of detail lost beside the seam (10.0 m²)."),
+        ([1], "Reduced. 10.0 % of detail lost beside the seam."),
         (
             [2],
-            "Significant loss. 44 % of detail lost beside the seam (44 m²): feathered. Feather less.",
+            "Significant loss. 44 % of detail lost beside the seam: feathered. Feather less.",
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
