@@ -4559,8 +4559,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="338"/>
-        <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
-        <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
+        <source>There is too little texture along this piece, a source ends beside it, or none explains it; judge it by eye.</source>
+        <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą, ortoobraz źródłowy kończy się obok albo żaden go nie wyjaśnia; oceń go okiem.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="323"/>

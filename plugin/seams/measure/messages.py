@@ -335,7 +335,7 @@ SCAN_WITHOUT_SEAMS = Message(
 )
 # what pieces of seam keep
 PIECE_NOT_MEASURED = Message(
-    "There is too little textured ground along this piece, or no source explains it; judge it by eye."
+    "There is too little texture along this piece, a source ends beside it, or none explains it; judge it by eye."
 )
 PIECE_TOO_SHORT = Message(
     "This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by "
