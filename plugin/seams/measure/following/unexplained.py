@@ -47,8 +47,8 @@ def unexplained_cells(sums: CellSums, is_compressed: IsCompressed, is_window: bo
     if is_compressed(None):
         return enlarged(foreign_ground(sums, is_compressed, is_window), NOISE_CELL_PX // CELL_PX, mosaic.shape)
     # A step of tones leaves over much along a line, and nothing beside it.
-    even = box_means(rest * wide >= _EVEN_PART * left_over * mosaic, (WIDE_CELLS,))[0] >= _EVEN_SHARE
-    strange = _strange_parts(wide, left_over, textured, textured & even, is_window)
+    seen = textured & (box_means(rest * wide >= _EVEN_PART * left_over * mosaic, (WIDE_CELLS,))[0] >= _EVEN_SHARE)
+    strange = _strange_parts(wide, left_over, textured, seen, is_window)
     if len(energies) == 1 or not strange.any():
         return strange
     near, *with_mosaic = (box_means(plane, (NEAR_CELLS,))[0] for plane in (mosaic, *products.values()))
@@ -65,7 +65,7 @@ def unexplained_cells(sums: CellSums, is_compressed: IsCompressed, is_window: bo
             np.minimum(mixed, by_some, out=mixed)
     if _is_explained(wide, mixed, textured):
         return np.zeros_like(strange)
-    return _strange_parts(wide, mixed, textured, textured & even, is_window)
+    return _strange_parts(wide, mixed, textured, seen, is_window)
 
 
 def _strange_parts(
