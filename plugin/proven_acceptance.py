@@ -38,6 +38,7 @@ class ProvenAcceptMosaic(AcceptMosaic):
         self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]
     ) -> tuple[Sequence[str], Prover | None]:
         from .imagery.rasters import RasterRef
+        from .seams.measure.window.inspection import Block
         from .toolkit.layers import mosaic_crs
 
         given = self._given
@@ -49,8 +50,6 @@ class ProvenAcceptMosaic(AcceptMosaic):
         sources = tuple(gathered_sources(run, given, mosaic_crs(mosaics[0]), wkt))
 
         def prove(mosaic: Raster, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
-            from .seams.measure.window.inspection import Block
-
             return proof_panels(Block(mosaic, sources), part, sides) if mosaic.wkt == wkt else ()
 
         return [source.ref.path for source in sources], prove if sources else None
@@ -102,12 +101,13 @@ def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator
         return
     mosaic, *images = pictures
     yield ProofPanel(MOSAIC_PANEL, "", _part(mosaic.pixels, part))
+    images = sorted(sorted(images, key=lambda image: -image.covered)[:_MOST_IMAGES], key=lambda image: image.raster)
     composite = window_composite(request)
     if isinstance(composite, WindowComposite):
-        shown = composite.bands[: 3 if has_colours(composite.names) else 1]
-        yield ProofPanel(CUT_PANEL, "", _part(brightness(shown, ranges), part))
-    images.sort(key=lambda image: -image.covered)
-    for image in sorted(images[:_MOST_IMAGES], key=lambda image: image.raster):
+        cut = brightness(composite.bands[: 3 if has_colours(composite.names) else 1], ranges)
+        if cut.std() > 0.5 * min(image.pixels.std() for image in images):  # levelled: flat where nothing is followed
+            yield ProofPanel(CUT_PANEL, "", _part(cut, part))
+    for image in images:
         yield ProofPanel(IMAGE_PANEL, image.raster, _part(image.pixels, part))
 
 

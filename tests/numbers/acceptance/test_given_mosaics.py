@@ -16,7 +16,6 @@ from seam_inspector.plugin.imagery.file_identity import local_states, states_tex
 from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
-from tests.numbers.acceptance.made_decisions import BOTTOM, LEFT, UTM
 from tests.numbers.synthetic import write_raster
 
 
@@ -72,30 +71,3 @@ def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list
     assert decision.accepted
     words = f"The layers of seams are of {count} mosaics"
     assert any(str(sentence).startswith(words) for sentence in decision.sentences) is (count > 1)
-
-
-@pytest.mark.parametrize(("failed", "blank", "outcome"), [
-    (7, False, AcceptanceOutcome.UNDECIDED), (5, False, AcceptanceOutcome.ACCEPTED),
-    (7, True, AcceptanceOutcome.ACCEPTED),
-])  # fmt: skip
-def test_ground_that_two_scans_measured_can_not_make_failures_few(
-    tmp_path: Path, failed: int, blank: bool, outcome: AcceptanceOutcome
-) -> None:
-    """Half of each sheet lies on the other one, if that shows anything there; their seams differ and are sound."""
-    layers, pieces = [], []
-    for number, name in enumerate("ab"):
-        pixels = np.full((1, 40, 40), 50, np.uint8)
-        pixels[:, :, : 20 * number * blank] = pixels[:, :, 40 - 20 * (1 - number) * blank :] = 0
-        path = write_raster(tmp_path / f"{name}.tif", pixels, 10.0, (LEFT + 200 * number, BOTTOM + 400), nodata=0)
-        layers.append(layer_of(name, str(path)))
-        kept = [0.95] * 40 if number else [0.3] * failed + [0.95] * (40 - failed)
-        start = LEFT + 200 * number, BOTTOM + 100 + 150 * number
-        pieces.append(seam(kept, sheet=name, start=start, number=40 * number))
-    made = replace(delivery(*pieces), layers=tuple(layers), wkt=UTM)
-    decision = decide(replace(made, files=file_doubts(made, (), ())), rules(share=0.1, run=None))
-    assert decision.outcome is outcome
-    assert decision.whole.total_m == 800  # as anybody adds them up
-    words = " ".join(map(str, decision.sentences))
-    assert ("200.0 measured metres repeat what another scan measured" in words) is not blank
-    assert (f"If each place counted once, {failed / 60:.2%} would have failed" in words) is not blank
-    assert ("of sheets that overlap as one mosaic" in words) is (outcome is AcceptanceOutcome.UNDECIDED)
