@@ -6315,11 +6315,6 @@
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
-        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
-        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="73"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
@@ -8595,10 +8590,6 @@
     <message>
         <source>Lines, or polygons that are each filled from one orthoimage. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy wypełniono z jednego ortoobrazu. Konieczne, gdy nie ma ortoobrazów.</translation>
-    </message>
-    <message>
-        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest 100, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
-        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych, ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
         <source>Accept delivery</source>
@@ -11109,11 +11100,6 @@
         <translation>Katalog {path} nie istnieje albo nie zawiera ani warstw z polem „mark”, ani plików MeasuresIm-*.xml programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
-        <source>Inspected windows: each gives its cause and remarks to the failure nearest to its middle.</source>
-        <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterce najbliższej swojego środka.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>the mosaic of &apos;{name}&apos; does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them</source>
         <translation>ortofotomapa „{name}” nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich</translation>
@@ -11437,6 +11423,20 @@
     <message>
         <source>the cut or an orthoimage is not shown, since an orthoimage ends here or was not given, or the mosaic does not follow them</source>
         <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy, nie został podany albo ortofotomapa mu tu nie odpowiada</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <source>Inspected windows: each gives its cause and remarks to the failures of which it shows a part.</source>
+        <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterkom, których część pokazuje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
+        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}. Opens in a browser and prints on A4.</source>
+        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}). Otwiera się w przeglądarce i drukuje na A4.</translation>
+    </message>
+    <message>
+        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest 100. Opens in a browser and prints on A4.</source>
+        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
 </context>
 </TS>

@@ -17,6 +17,7 @@ from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import SamplingPlan
 
+_COVERED = 0.99  # of the strip along a piece: less is more than a ragged edge
 _ALONG = np.linspace(0, 1, 11)  # places along a piece of which one may be nearest to what was looked at
 
 
@@ -34,9 +35,6 @@ class Unmeasured(Enum):
     ROUGH = "rough"  # its interval is too wide: it fails as likely as that says
     UNCOVERED = "uncovered"  # the orthoimages beside it have no pixels for some of it
     OTHER = "other"  # too short, or no orthoimage explains it, or the files can't be read any more
-
-
-_COVERED = 0.99  # of the strip along a piece: less is more than a ragged edge
 
 
 @dataclass(frozen=True)
