@@ -77,7 +77,8 @@ def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list
 @pytest.mark.parametrize(("hole_px", "gone", "words"), [
     (12, False, "lack them along 30 m, such as at 500045.0, 5500000.0; ask the producer for them"),
     (0, False, "an operator's look at what was not measured, at least 10 of 30 m"),
-    (12, True, "the files that were scanned"), (3, False, "with pieces of 20 m (PIECE), with which some 100% of the metres would be measured"),
+    (12, True, "the files that were scanned"),
+    (3, False, "with pieces of 20 m (PIECE), with which some 100% of the metres would be measured"),
 ])  # fmt: skip
 def test_orthoimages_without_pixels_beside_a_seam_are_to_be_given(
     tmp_path: Path, hole_px: int, gone: bool, words: str
