@@ -25,7 +25,7 @@ def file_stem(name: str) -> str:
 
 
 def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str]) -> dict[int, float]:
-    """Shares, 0 to 1, by the numbers of those pieces whose two orthoimages can be read: of the one that shows less.
+    """Shares, 0 to 1, by the numbers of those pieces whose two orthoimages can be read: what both show at least.
 
     ``paths``: of all orthoimages.
     """
@@ -36,7 +36,7 @@ def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str])
         with suppress(RasterError):
             shares = [_shown_share(path, piece.vertices, wkt) for path in beside if path]
             if len(shares) == len(beside):
-                cover[piece.number] = min(shares)
+                cover[piece.number] = max(sum(shares) - 1, 0.0)
     return cover
 
 
