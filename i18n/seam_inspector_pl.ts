@@ -419,7 +419,7 @@
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="94"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="91"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -649,7 +649,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="233"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3526,12 +3526,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -3590,7 +3590,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="288"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="312"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4958,7 +4958,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="350"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="374"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -5245,12 +5245,12 @@
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -6035,7 +6035,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="83"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -6290,12 +6290,12 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
@@ -6313,11 +6313,6 @@
         <location filename="../plugin/acceptance/paper/paper_head.py" line="61"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
-        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
-        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="73"/>
@@ -6360,107 +6355,102 @@
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
-        <source>can&apos;t be told</source>
-        <translation>nie da się określić</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="83"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="80"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="83"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="80"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="87"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="84"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="88"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="85"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="91"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="88"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="92"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
         <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="82"/>
         <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="116"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
@@ -6480,12 +6470,12 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="102"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="114"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
@@ -6495,7 +6485,7 @@
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="99"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="106"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -6590,77 +6580,62 @@
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
-        <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
-        <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest failure of the delivery can&apos;t be determined from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
-        <source>The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn for, or give the layers of the scan.</source>
-        <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>the longest failure can&apos;t be determined from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
-        <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
-        <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
@@ -7095,7 +7070,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="70"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="67"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -8166,112 +8141,107 @@
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
         <source>{metres:.0f} m of seam are missing</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
-        <source>The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same settings.</source>
-        <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
@@ -8281,67 +8251,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="354"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="205"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="307"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="307"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8622,10 +8592,6 @@
         <translation>Linie albo poligony, z których każdy wypełniono z jednego ortoobrazu. Konieczne, gdy nie ma ortoobrazów.</translation>
     </message>
     <message>
-        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest 100, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
-        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych, ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
-    </message>
-    <message>
         <source>Accept delivery</source>
         <translation>Odbiór dostawy od plików</translation>
     </message>
@@ -8650,12 +8616,12 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -9088,39 +9054,29 @@
         <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
-        <source>{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.</source>
-        <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
         <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
-        <source>too little</source>
-        <translation>za mało</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="57"/>
@@ -9441,12 +9397,7 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
-        <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
-        <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="273"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -9515,7 +9466,7 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -9770,97 +9721,97 @@
         <translation>Wirtualna ortofotomapa zamówionych arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="73"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but a row of pieces that were not measured may make it {metres:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>sheets of which nothing was measured: {count} ({names})</source>
         <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
         <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
         <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>layers of seams without the seal of a scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
         <source>files were changed since they were scanned: {count} ({names})</source>
         <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
         <source>files of the scanned mosaic can no longer be found: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="187"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9972,24 +9923,19 @@
         <translation>zmierzone co najmniej {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="73"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to {metres:.1f} m long, which can hide a longer one</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz odcinki mają do {metres:.1f} m, co może ukryć dłuższą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>layers of seams whose mosaics are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
-        <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets that meet as one mosaic.</source>
-        <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="248"/>
@@ -10087,12 +10033,7 @@
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
-        <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.</source>
-        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
@@ -10102,27 +10043,27 @@
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="172"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -10259,12 +10200,12 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
@@ -10289,12 +10230,12 @@
         <translation>Uzasadnienie słowami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
         <source>some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: {names}</source>
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -10462,32 +10403,32 @@
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
         <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
         <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
@@ -10552,7 +10493,7 @@
         <translation>Odcinek, który ma zachować 0, jest zawsze zgodny; podaj część, którą ma zachować, np. 0,7.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
@@ -10627,37 +10568,37 @@
         <translation>najwyżej {limit:.1f} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>The layer &apos;{name}&apos; can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="195"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10674,21 +10615,6 @@
     <message>
         <source>Dashes mark the failure, the frame the middle of the piece that kept least. Beside it at 2x: the mosaic, its orthoimages cut hard, and each orthoimage; marks at the edges show the seam, chequers ground without data. The curve is what the scan measured of that piece: grey is the judged strip, the thick line what is kept in it, red the limit.</source>
         <translation>Linia przerywana biegnie wzdłuż usterki, w ramce jest środek odcinka, który zachował najmniej. Obok w powiększeniu 2×: ortofotomapa, jej ortoobrazy cięte ostro i każdy ortoobraz; znaki na krawędziach wskazują linię mozaikowania, szachownica brak danych. Krzywa to pomiar tego odcinka przez skanowanie: szary jest oceniany pas, gruba linia to, co się w nim zachowało, czerwona to granica.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
-        <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}</source>
-        <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}; {risks}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
-        <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}</source>
-        <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %; {risks}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
-        <source>{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
-        <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="44"/>
@@ -10736,42 +10662,42 @@
         <translation>Nie rozstrzygnięto według „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
         <source>sheets that differ from others where they overlap, which nobody has checked: {count} ({names})</source>
         <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
         <source>different scans of one mosaic are given: {count} ({names})</source>
         <translation>podano różne skany tej samej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
         <source>the files given are not the ones that were scanned: {count} ({names})</source>
         <translation>podano pliki, które nie są tymi, które skanowano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along {unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ</source>
         <translation>ocenia się {judged:.0f} m linii mozaikowania; wzdłuż {unchanged:.0f} m z nich po obu stronach leży ten sam ortoobraz, a wzdłuż {unseen:.0f} m, których się nie ocenia, skanowanie zobaczyło jego zmianę (najdłuższa w okolicy {place}); różnić się może {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
         <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them to the scan.</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj do skanowania ortoobrazy po ich bokach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
         <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
         <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not measured.</source>
         <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
@@ -10851,17 +10777,12 @@
         <translation>Odcinek próby nie leży na ortofotomapie; podaj tę, która obejmuje wszystkie arkusze, i sprawdź układy odniesienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
-        <source>{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place counted once, {share:.2%} would have failed.</source>
-        <translation>{metres:.1f} m spośród zmierzonych powtarza to, co zmierzył inny skan, bo skanowane ortofotomapy się nakładają. Gdyby każde miejsce liczyło się raz, niezgodne byłoby {share:.2%}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
         <source>What would decide it: one scan of each mosaic, and of sheets that overlap as one mosaic.</source>
         <translation>Co by rozstrzygnęło: jeden skan każdej ortofotomapy, a arkuszy, które się nakładają, jako jednej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>{name} can&apos;t be read as a layer of lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; wybierz warstwę „Odcinki linii mozaikowania” ze skanu.</translation>
     </message>
@@ -10880,22 +10801,22 @@
         <translation>Tak, jak ma stać na papierze: 2026-11-23.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="130"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="137"/>
         <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
         <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="138"/>
         <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
         <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="139"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
         <source>Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami, nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
@@ -11029,24 +10950,14 @@
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
-        <source>What would decide it: a scan with pieces of {piece:.0f} m, with which some {share:.0%} of the metres would be measured and {least:.0%} are required.</source>
-        <translation>Co by rozstrzygnęło: skan z odcinkami {piece:.0f} m, przy których zmierzyłoby się około {share:.0%} metrów, a wymaga się {least:.0%}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
         <source>What would decide it: an operator&apos;s look, by which whoever signs decides, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora, na którego podstawie rozstrzyga ten, kto podpisuje, bo wszystkie linie mozaikowania leżą na terenie bez szczegółów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
         <source>What would decide it: an operator&apos;s look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}); whoever signs decides by that.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora odcinków, których przedziały obejmują próg ({metres:.0f} m, odcinków: {count}); na tej podstawie rozstrzyga ten, kto podpisuje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
-        <source>What would decide it: an operator&apos;s look at the rows of pieces longer than {limit:.0f} m that were not measured; whoever signs decides by that. The field &apos;reason&apos; of the seams says why each was not measured.</source>
-        <translation>Co by rozstrzygnęło: obejrzenie przez operatora ciągów niezmierzonych odcinków dłuższych niż {limit:.0f} m; na tej podstawie rozstrzyga ten, kto podpisuje. Pole „reason” linii mozaikowania podaje, dlaczego każdego z nich nie zmierzono.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
@@ -11054,27 +10965,22 @@
         <translation>Nierozstrzygnięte są też: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
         <source>orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured</source>
         <translation>skanowanie nie miało ortoobrazów, które wymieniają linie mozaikowania ({names}), więc linii obok nich nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
         <source>What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.</source>
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
-        <source>other reasons</source>
-        <translation>inne powody</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
     </message>
@@ -11094,17 +11000,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
-        <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed. If all of it failed, {worst:.1%} would fail.</source>
-        <translation>{metres:.1f} z {all:.1f} m linii mozaikowania nie dało się zmierzyć; nie liczą się ani jako zgodne, ani jako niezgodne. Gdyby wszystkie były niezgodne, niezgodnych byłoby {worst:.1%}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -11123,10 +11024,6 @@
     <message>
         <source>kept by its pieces, from east to west: {pieces}</source>
         <translation>zachowane w kolejnych odcinkach, ze wschodu na zachód: {pieces}</translation>
-    </message>
-    <message>
-        <source>the cut or an orthoimage is not shown, since an orthoimage ends here or was not given</source>
-        <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy albo nie został podany</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="73"/>
@@ -11203,82 +11100,52 @@
         <translation>Katalog {path} nie istnieje albo nie zawiera ani warstw z polem „mark”, ani plików MeasuresIm-*.xml programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
-        <source>Inspected windows: each gives its cause and remarks to the failure nearest to its middle.</source>
-        <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterce najbliższej swojego środka.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
-        <source>{share:.0%} of the mosaic of &apos;{name}&apos; match no orthoimage and {limit:.0%} may</source>
-        <translation>{share:.0%} ortofotomapy „{name}” nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>the mosaic of &apos;{name}&apos; does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them</source>
         <translation>ortofotomapa „{name}” nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>{share:.2%} of the mosaic of &apos;{name}&apos; could not be read, such as around {place}</source>
         <translation>nie udało się odczytać {share:.2%} ortofotomapy „{name}”, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="139"/>
         <source>What would decide it: an operator&apos;s look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not measure enough; the field &apos;reason&apos; of the seams says why.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie decyduje podpisujący. Skanowanie tych ortoobrazów z odcinkami dość krótkimi, by wykazać usterkę, nie zmierzyłoby wystarczająco dużo; przyczyny podaje pole „reason” linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: a scan with the orthoimages that are missing.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them have a wrong georeference.</source>
         <translation>Co by rozstrzygnęło: badanie ortofotomapy i ortoobrazów, które leżą w tym samym miejscu. Zapytaj wykonawcę, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
-        <source>The scan of &apos;{name}&apos; found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that it was made from, placed as it is.</source>
-        <translation>Skanowanie „{name}” nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z ortoobrazami, z których ją wykonano, leżącymi tam, gdzie ona.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
-        <source>The mosaic of &apos;{name}&apos; passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
-        <translation>Ortofotomapa „{name}” przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
         <source>Only {share:.0%} of the mosaic of &apos;{name}&apos; were scanned, in its corridor; seams elsewhere are unknown.</source>
         <translation>W „{name}” obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
-        <source>The seamlines of &apos;{name}&apos; name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
-        <translation>Linie mozaikowania „{name}” wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>The scan of &apos;{name}&apos; measured along the seamlines that it was given; a seam that these lack is noticed only if it is longer than some 150 pixels.</source>
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
-        <source>The scan of &apos;{name}&apos; found the seams from the pixels, and wide feathers hide some of them. Give it the producer&apos;s seamlines to measure all of them.</source>
-        <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, a szerokie wtapianie część z nich ukrywa. Podaj mu linie od wykonawcy, aby zmierzyć wszystkie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>of these may keep enough</source>
         <translation>z nich może zachować dość</translation>
     </message>
@@ -11437,16 +11304,139 @@
         <translation>Linia mozaikowania to miejsce, w którym ortofotomapa przechodzi z jednego ortoobrazu w drugi; gdzie oba są zmieszane, giną drobne detale.</translation>
     </message>
     <message>
-        <source>A failure is counted along one seam, and further where exactly two failed pieces meet; counted through all nodes, the longest would be {metres}.</source>
-        <translation>Usterkę liczy się wzdłuż jednej linii mozaikowania i dalej tam, gdzie spotykają się dokładnie dwa niezgodne odcinki; liczona przez wszystkie węzły najdłuższa miałaby {metres}.</translation>
-    </message>
-    <message>
         <source>The decision is on the seams only. Not checked: sharpness of the mosaic as a whole, damage in one colour alone, positional accuracy, the orthoimages themselves, clouds and shadows, ground hidden by buildings, metadata.</source>
         <translation>Decyzja dotyczy tylko linii mozaikowania. Nie sprawdzono: ostrości ortofotomapy jako całości, uszkodzeń w jednym tylko kolorze, dokładności położenia, samych ortoobrazów, chmur i cieni, terenu zasłoniętego przez budynki, metadanych.</translation>
     </message>
     <message>
         <source>Between two failed pieces of a failure may lie one that was not measured, no longer than a typical piece. Kept and the orthoimages refer to the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
         <translation>Między dwoma niezgodnymi odcinkami usterki może leżeć jeden niezmierzony, nie dłuższy od typowego. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
+        <source>{size} of {lot} pieces are drawn.</source>
+        <translation>Wylosowano odcinki: {size} z {lot}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
+        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with the {metres:.0f} m that were not measured it may be up to {high:.2%}</source>
+        <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wraz z {metres:.0f} m, których nie zmierzono, może to być nawet {high:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <source>{share:.0%} of the mosaic of &apos;{name}&apos; match no orthoimage and {limit:.0%} may; most of it around {place}</source>
+        <translation>{share:.0%} ortofotomapy „{name}” nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}; najwięcej w pobliżu {place}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}</source>
+        <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %</source>
+        <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
+        <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count as the worst that they may be. If all of it failed, {worst:.1%} would fail.</source>
+        <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; liczą się jak najgorszy możliwy wynik. Gdyby wszystkie były niezgodne, niezgodnych byłoby {worst:.1%}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="133"/>
+        <source>What would decide it: a scan with pieces of {piece:.0f} m (PIECE), with which some {share:.0%} of the metres would be measured.</source>
+        <translation>Co by rozstrzygnęło: skanowanie z odcinkami po {piece:.0f} m (PIECE), przy których udałoby się zmierzyć około {share:.0%} metrów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <source>What would decide it: a scan with orthoimages that have pixels on both sides of the seams. Those that were given lack them along {metres:.0f} m, such as at {x:.1f}, {y:.1f}; ask the producer for them.</source>
+        <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, które mają piksele po obu stronach linii mozaikowania. Tym, które podano, brakuje ich wzdłuż {metres:.0f} m, na przykład w miejscu {x:.1f}, {y:.1f}; poproś o nie wykonawcę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <source>The layers of seams were measured with different settings: {setting} is {values}.</source>
+        <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <source>Windows that operators inspected: {count}; with a cause: {causes}; judged visible: {visible}, invisible: {invisible}. They explain failures and do not change the decision.</source>
+        <translation>Okna skontrolowane przez operatorów: {count}; z przyczyną: {causes}; uznane za widoczne: {visible}, za niewidoczne: {invisible}. Wyjaśniają usterki i nie zmieniają decyzji.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted.</source>
+        <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
+        <source>The scan of &apos;{name}&apos; found the seams from the pixels, without seamlines, and wide feathers hide some of them.</source>
+        <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, bez linii od wykonawcy, a szerokie wtapianie część z nich ukrywa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <source>what is kept is known too roughly</source>
+        <translation>zachowanie znane zbyt zgrubnie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <source>the orthoimages have no pixels beside the seam</source>
+        <translation>ortoobrazy nie mają pikseli obok linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <source>orthoimages along the seams</source>
+        <translation>ortoobrazy wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <source>; sheets rejected by themselves: {count}</source>
+        <translation>; arkusze odrzucone same w sobie: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <source>no pixels beside {metres} of seam, such as at {place}; to be given by the producer</source>
+        <translation>brak pikseli obok {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <source>their files can&apos;t be read</source>
+        <translation>nie można odczytać ich plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="97"/>
+        <source>Length of seam beside which the orthoimages that were given have no pixels.</source>
+        <translation>Długość linii mozaikowania, obok których podane ortoobrazy nie mają pikseli.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="98"/>
+        <source>Each piece of seam that could not be measured.</source>
+        <translation>Każdy odcinek linii mozaikowania, którego nie udało się zmierzyć.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
+        <source>open</source>
+        <translation>nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <source>A failure is counted along one seam, and further where exactly two failed pieces meet.</source>
+        <translation>Usterkę liczy się wzdłuż jednej linii mozaikowania i dalej tam, gdzie spotykają się dokładnie dwa niezgodne odcinki.</translation>
+    </message>
+    <message>
+        <source>the cut or an orthoimage is not shown, since an orthoimage ends here or was not given, or the mosaic does not follow them</source>
+        <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy, nie został podany albo ortofotomapa mu tu nie odpowiada</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <source>Inspected windows: each gives its cause and remarks to the failures of which it shows a part.</source>
+        <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterkom, których część pokazuje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
+        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}. Opens in a browser and prints on A4.</source>
+        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}). Otwiera się w przeglądarce i drukuje na A4.</translation>
+    </message>
+    <message>
+        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest 100. Opens in a browser and prints on A4.</source>
+        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
 </context>
 </TS>

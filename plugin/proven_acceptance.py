@@ -38,6 +38,7 @@ class ProvenAcceptMosaic(AcceptMosaic):
         self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]
     ) -> tuple[Sequence[str], Prover | None]:
         from .imagery.rasters import RasterRef
+        from .seams.measure.window.inspection import Block
         from .toolkit.layers import mosaic_crs
 
         given = self._given
@@ -45,13 +46,10 @@ class ProvenAcceptMosaic(AcceptMosaic):
             given = replace(given, refs=tuple(map(RasterRef, scanned)))
         if not (mosaics and (given.refs or run.parameters.get(common.SOURCE_INDEX))):
             return super().proof(run, scanned, mosaics)
-        wkt = mosaics[0].wkt
-        sources = tuple(gathered_sources(run, given, mosaic_crs(mosaics[0]), wkt))
+        sources = tuple(gathered_sources(run, given, mosaic_crs(mosaics[0]), mosaics[0].wkt))
 
         def prove(mosaic: Raster, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
-            from .seams.measure.window.inspection import Block
-
-            return proof_panels(Block(mosaic, sources), part, sides) if mosaic.wkt == wkt else ()
+            return proof_panels(Block(mosaic, sources), part, sides) if mosaic.wkt == mosaics[0].wkt else ()
 
         return [source.ref.path for source in sources], prove if sources else None
 
@@ -102,12 +100,14 @@ def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator
         return
     mosaic, *images = pictures
     yield ProofPanel(MOSAIC_PANEL, "", _part(mosaic.pixels, part))
-    composite = window_composite(request)
-    if isinstance(composite, WindowComposite):
-        shown = composite.bands[: 3 if has_colours(composite.names) else 1]
-        yield ProofPanel(CUT_PANEL, "", _part(brightness(shown, ranges), part))
-    images.sort(key=lambda image: -image.covered)
-    for image in sorted(images[:_MOST_IMAGES], key=lambda image: image.raster):
+    images = sorted(sorted(images, key=lambda image: -image.covered)[:_MOST_IMAGES], key=lambda image: image.raster)
+    if isinstance(composite := window_composite(request), WindowComposite):
+        cut = brightness(composite.bands[: 3 if has_colours(composite.names) else 1], ranges)
+        shown = [_part(pixels, part) for pixels in (cut, *(image.pixels for image in images))]
+        least = [min(pixels.std(axis=axis).min() for axis in (0, 1)) for pixels in shown]
+        if least[0] > 0.5 * min(least[1:], default=0):  # it is levelled, and flat where the mosaic follows nothing
+            yield ProofPanel(CUT_PANEL, "", shown[0])
+    for image in images:
         yield ProofPanel(IMAGE_PANEL, image.raster, _part(image.pixels, part))
 
 

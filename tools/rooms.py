@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(4677, 0, 0),
     "plugin/seams/measure": Measures(16974, 1, 0),
     "plugin/seams": Measures(12999, 0, 0),
-    "plugin/acceptance": Measures(5393, 1, 0),
+    "plugin/acceptance": Measures(5392, 1, 0),
     "plugin/toolkit": Measures(4469, 0, 0),
     "plugin/noise": Measures(1959, 0, 0),
     "plugin/radiometry": Measures(1998, 0, 0),

@@ -69,7 +69,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             "their defaults. The documentation has an example."
         ))
         self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.POLYGON, optional=True), tr(
-            "Inspected windows: each gives its cause and remarks to the failure nearest to its middle."
+            "Inspected windows: each gives its cause and remarks to the failures of which it shows a part."
         ))
         add_paper(self)
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))

@@ -47,9 +47,7 @@ def inspected_windows(
             continue
         if extent is not None:
             remarks = filter(None, (text(row["remark"]), text(row["remark_2"])))
-            windows.append(SeenWindow(extent, text(row["cause"]), tuple(remarks)))
-    if not any(window.cause or window.remarks for window in windows):
-        run.tell(messages.WINDOWS_SAY_NOTHING(name=source.sourceName()))
+            windows.append(SeenWindow(extent, text(row["cause"]), tuple(remarks), text(row["observer"])))
     return tuple(windows)
 
 

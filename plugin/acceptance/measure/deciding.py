@@ -2,21 +2,21 @@
 what was scanned, or that nobody has looked at, is accepted (``doubts``)."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import reduce
 
-from ...imagery.errors import Message, Stated
+from ...imagery.errors import Message
 from ...imagery.file_identity import states_in
-from ...imagery.seam_totals import SOURCE_FILES, PieceState
+from ...imagery.seam_totals import SOURCE_FILES
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRules, limits_in_words
-from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
+from .decision import AcceptanceOutcome, DecidedPiece, Decision, MetreFigures, RuleOutcome
 from .delivery import Delivery, Seal
 from .doubts import Doubt, against_any, lacking, layer_sentences, unsealed
 from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
-from .measured_pieces import MEASURED, counted_again, is_unclear, metre_figures, pieces_of_sheets, state_of
+from .measured_pieces import MEASURED, is_unclear, metre_figures, pieces_of_sheets, state_of
 from .ruling import Ruling
 
 
@@ -32,23 +32,21 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     of_run = {number: run.number for run in runs for number in run.pieces}
     pieces = tuple(
         DecidedPiece(
-            piece, state, state in MEASURED and is_unclear(piece, rules.least_kept), of_run.get(piece.number)
+            piece, state, state in MEASURED and is_unclear(piece, rules.least_kept), of_run.get(piece.number),
+            delivery.files.cover.get(piece.number),
         )
         for piece, state in zip(delivery.pieces, states)
     )  # fmt: skip
     unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
     of_sheets = pieces_of_sheets(delivery, pieces)
     whole, *sheets = (metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()])
-    failed_again_m, measured_again_m = (
-        counted_again(pieces, delivery.files.shared, which) for which in ((PieceState.FAILED,), MEASURED)
-    )
-    whole = replace(whole, failed_again_m=failed_again_m, measured_again_m=measured_again_m)
-    longest = [pieces[number] for number in runs[0].pieces] if runs else []
-    ruling = Ruling(whole, pieces, longest, rules)
+    rulings = [
+        Ruling(figures, some, [pieces[number] for run in runs if run.number in numbers for number in run.pieces], rules)
+        for figures, some in zip((whole, *sheets), (pieces, *of_sheets.values()))
+        for numbers in [{decided.run for decided in some}]
+    ]
+    ruling, *of_each = rulings
     outcomes = ruling.outcomes()
-    sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
-    if lot is None and not delivery.is_part:
-        sheet_outcomes = [*_sheet_outcomes(sheets, of_sheets, rules, delivery)]
     if delivery.is_part:
         outcomes = [_of_sample(outcome) for outcome in outcomes]
         whole, *sheets = (replace(figures, longest_failure_m=None) for figures in (whole, *sheets))
@@ -56,13 +54,17 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     unknown = () if longest_rule is None else tuple(run for run in unknown if not longest_rule.passes(run.length_m))
     if lot is not None:
         outcomes.insert(0, lot[1])
-    outcome, sure = outcome_of(outcomes), [*against_any(delivery)]
-    lacks = [*lacking(delivery, whole, sheets if lot is None else (), rules)]
-    changed = [*unsealed(delivery)]
+    outcome, sure, changed = outcome_of(outcomes), [*against_any(delivery)], [*unsealed(delivery)]
+    lacks = [] if sure else [*lacking(delivery, whole, sheets if lot is None else (), rules, outcome)]
+    if sure:  # figures of something else keep no rule and break none
+        outcomes = [replace(rule, passed=None, low=None, high=None) for rule in outcomes]
     if sure or ((lacks or changed) and outcome is AcceptanceOutcome.ACCEPTED):
         outcome = AcceptanceOutcome.UNDECIDED
-    doubts = [*sure, *(() if outcome is AcceptanceOutcome.REJECTED else lacks)]
-    reasons, always = _reasons(outcomes, outcome, doubts), [reason for reason, _ in changed]
+    sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
+    if lot is None and not delivery.is_part:
+        sheet_outcomes = [*_sheet_outcomes(of_each, delivery, whole.judged_m)]
+    doubts = sure or ([] if outcome is AcceptanceOutcome.REJECTED else lacks)
+    reasons, always = _reasons(() if sure else outcomes, outcome, doubts), [reason for reason, _ in changed]
     if rules.is_of_file:
         always.append(messages.LIMITS_ARE(limits=limits_in_words(rules)))
     besides = reasons[1:] if outcome is AcceptanceOutcome.UNDECIDED else []
@@ -76,8 +78,8 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         *(first_advice if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *(messages.OPEN_BESIDES(why=reason) for reason in besides),
         *layer_sentences(delivery),
-        *_figures(whole, runs, rules),
-        *_sample_sentences(delivery, lot is not None),
+        *_figures(whole),
+        *_looked_at(delivery),
         *(() if lot is None else lot[2]),
     )
     return Decision(
@@ -101,21 +103,26 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
 
 
 def _sheet_outcomes(
-    sheets: Sequence[MetreFigures], of_sheets: Mapping[str, Sequence[DecidedPiece]], rules: AcceptanceRules,
-    delivery: Delivery,
+    rulings: Sequence[Ruling], delivery: Delivery, judged_m: float
 ) -> Iterator[AcceptanceOutcome | None]:
-    """Outcome of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle.
+    """Outcome of each sheet by its own metres and by all of the failures that reach into it; pieces over a border are
+    looked at in the sheet of their middle. What may have failed leaves no share open where it is less than may fail of
+    all ``judged_m``.
 
     None is accepted on a layer that is not as its scan left it, none decided on where files are not those of the scan.
     """
     trusted = {layer.name for layer in delivery.layers if layer.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
     all_trusted, strange = len(trusted) == len(delivery.layers), any(against_any(delivery))
-    for sheet in sheets:
-        sheet_pieces = of_sheets[sheet.name]
-        outcome = outcome_of(Ruling(sheet, sheet_pieces, sheet_pieces, rules).outcomes()) if sheet_pieces else None
-        layers = {decided.piece.seam[0] for decided in sheet_pieces}
+    for ruling in rulings:
+        outcomes = [
+            replace(rule, passed=True) if rule.check == FAILED_SHARE and (rule.value or 0) <= rule.limit
+            and ruling.figures.failed_m + ruling.figures.not_measured_m <= rule.limit * judged_m else rule
+            for rule in ruling.outcomes()
+        ]
+        outcome = outcome_of(outcomes) if ruling.pieces else None
+        layers = {decided.piece.seam[0] for decided in ruling.pieces}
         is_doubtful = bool(delivery.files.gone) or not (all_trusted or layers <= trusted)
-        if sheet_pieces and (strange or (is_doubtful and outcome is AcceptanceOutcome.ACCEPTED)):
+        if ruling.pieces and (strange or (is_doubtful and outcome is AcceptanceOutcome.ACCEPTED)):
             outcome = AcceptanceOutcome.UNDECIDED
         yield outcome
 
@@ -141,27 +148,19 @@ def _joined(reasons: Sequence[Message]) -> Message:
     return reduce(lambda first, also: messages.AND(why=first, also=also), reasons)
 
 
-def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
-    """That the layers are a sample, and what that means for the decision."""
+def _looked_at(delivery: Delivery) -> Iterator[Message]:
+    """That the layers are a sample, and what operators said of its windows."""
     if delivery.is_part:
         yield messages.SAMPLE_GIVEN(given=len(delivery.sampled_numbers or ()))
-        if not by_plan:
-            yield messages.SAMPLE_ONLY()
+    if windows := delivery.windows:
+        visible, invisible = (sum(window.observer == word for window in windows) for word in ("visible", "invisible"))
+        causes = sum(bool(window.cause) for window in windows)
+        yield messages.WINDOWS_GIVEN(count=len(windows), causes=causes, visible=visible, invisible=invisible)
 
 
-def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceRules) -> Iterator[Message]:
-    if whole.failed_share is not None:
-        yield messages.METRES_FAILED(failed=whole.failed_m, measured=whole.measured_m, share=whole.failed_share)
-    if whole.measured_again_m:
-        once = (whole.failed_m - whole.failed_again_m) / (whole.measured_m - whole.measured_again_m)
-        yield messages.COUNTED_AGAIN(metres=whole.measured_again_m, share=once)
-    if runs and whole.longest_failure_m is not None:
-        longest, (x, y) = runs[0], runs[0].place
-        yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
+def _figures(whole: MetreFigures) -> Iterator[Message]:
     if whole.no_detail_m:
         yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
     if whole.not_measured_m:
         worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m, worst=worst)
-    if whole.unclear_m:
-        yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))

@@ -17,6 +17,7 @@ from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import SamplingPlan
 
+_COVERED = 0.99  # of the strip along a piece: less is more than a ragged edge
 _ALONG = np.linspace(0, 1, 11)  # places along a piece of which one may be nearest to what was looked at
 
 
@@ -28,6 +29,14 @@ class AcceptanceOutcome(Enum):
     UNDECIDED = "undecided"  # none is broken as far as can be told, and of one at least it can't be told
 
 
+class Unmeasured(Enum):
+    """Why a piece on ground with detail was not measured."""
+
+    ROUGH = "rough"  # its interval is too wide: it fails as likely as that says
+    UNCOVERED = "uncovered"  # the orthoimages beside it have no pixels for some of it
+    OTHER = "other"  # too short, or no orthoimage explains it, or the files can't be read any more
+
+
 @dataclass(frozen=True)
 class DecidedPiece:
     """A piece of seam, held against the least that it must keep."""
@@ -36,6 +45,16 @@ class DecidedPiece:
     state: PieceState  # passed, failed, not measured, or on ground without detail
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
     run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
+    cover: float | None = None  # share of the strip along it that both orthoimages show; None where that is not known
+
+    @property
+    def unmeasured(self) -> Unmeasured | None:
+        """Why it was not measured; None where it was, or there is nothing to measure."""
+        if self.state is not PieceState.NOT_MEASURED:
+            return None
+        if None not in (self.piece.kept_1, self.piece.kept_low, self.piece.kept_high):
+            return Unmeasured.ROUGH
+        return Unmeasured.OTHER if self.cover is None or self.cover >= _COVERED else Unmeasured.UNCOVERED
 
 
 @dataclass(frozen=True)
@@ -47,7 +66,6 @@ class FailureRun:
     pieces: tuple[int, ...]  # the pieces' numbers, in the order in which they follow each other
     sheets: tuple[str, ...]  # that it lies in
     place: tuple[float, float]  # a point half-way along it, in the delivery's reference system
-    joined_m: float = 0.0  # length of all failures together that hang together with it through nodes
 
 
 @dataclass(frozen=True)
@@ -66,8 +84,6 @@ class MetreFigures:
     failed_unclear_m: float = 0.0  # metres that failed, in pieces whose interval reaches above the limit
     longest_unknown_m: float = 0.0  # metres of the longest row of pieces that failed or were not measured
     least_kept: float | None = None  # share kept by the measured piece that kept least; None where none was measured
-    failed_again_m: float = 0.0  # metres of the whole delivery that only repeat what another scan measured, and failed
-    measured_again_m: float = 0.0  # the same of all that was measured
 
     @property
     def judged_m(self) -> float:
@@ -220,21 +236,15 @@ class Defect:
 
 
 def defects_of(decision: Decision) -> tuple[Defect, ...]:
-    """The longest first; a window is of the failure that comes nearest to its middle, if any runs through it."""
-    defects = [Defect(run, tuple(decision.pieces[number] for number in run.pieces)) for run in decision.runs]
-    places = np.array([
-        decided.piece.point(share) for defect in defects for decided in defect.pieces for share in _ALONG
-    ]).reshape(-1, 2)
-    of_place = np.repeat(range(len(defects)), [len(_ALONG) * len(defect.pieces) for defect in defects])
-    inspected: list[tuple[int, SeenWindow]] = []
-    for window in decision.delivery.windows:
-        left, bottom, right, top = window.extent
-        apart = np.hypot(*(places - middle_of(window.extent)).T)
-        apart[((places < (left, bottom)) | (places > (right, top))).any(axis=1)] = inf
-        if apart.min(initial=inf) < inf:
-            inspected.append((int(of_place[apart.argmin()]), window))
-    for number, defect in enumerate(defects):
-        windows = [window for at, window in inspected if at == number]
+    """The longest first, each with the windows that hold a part of it."""
+    defects = []
+    for run in decision.runs:
+        defect = Defect(run, tuple(decision.pieces[number] for number in run.pieces))
+        x, y = np.array([decided.piece.point(share) for decided in defect.pieces for share in _ALONG]).T
+        windows = [
+            window for window in decision.delivery.windows for left, bottom, right, top in [window.extent]
+            if ((x >= left) & (x <= right) & (y >= bottom) & (y <= top)).any()
+        ]
         windows.sort(key=lambda window: dist(middle_of(window.extent), defect.worst.piece.middle))
-        defects[number] = replace(defect, windows=tuple(windows))
+        defects.append(replace(defect, windows=tuple(windows)))
     return tuple(defects)

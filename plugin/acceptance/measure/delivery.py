@@ -107,6 +107,7 @@ class SeenWindow:
     extent: Extent  # in the delivery's reference system
     cause: str = ""  # the strongest one
     remarks: tuple[str, ...] = ()  # what the operators wrote
+    observer: str = ""  # what they saw at 2x: visible or invisible
 
 
 class SheetState(Enum):
@@ -166,8 +167,8 @@ class FileDoubts:
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
-    shared: Mapping[int, int] = field(default_factory=dict, hash=False)
-    """In how many other scans' mosaics pieces lie, by the numbers of those that lie in any."""
+    cover: Mapping[int, float] = field(default_factory=dict, hash=False)
+    """Shares of the strip along pieces that both orthoimages show, by the numbers of those without a measurement."""
 
 
 @dataclass(frozen=True)

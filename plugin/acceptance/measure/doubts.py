@@ -13,7 +13,7 @@ from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES
 from . import messages
 from .acceptance_rules import LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRules
-from .decision import MetreFigures
+from .decision import AcceptanceOutcome, MetreFigures
 from .delivery import Delivery, Seal, SheetState
 from .seen_ground import SeenGround, ground_sentences, numbers_in, unseen_seams
 
@@ -51,17 +51,19 @@ def unsealed(delivery: Delivery) -> Iterator[Doubt]:
 
 
 def lacking(
-    delivery: Delivery, whole: MetreFigures, sheets: Sequence[MetreFigures], rules: AcceptanceRules
+    delivery: Delivery, whole: MetreFigures, sheets: Sequence[MetreFigures], rules: AcceptanceRules,
+    by_rules: AcceptanceOutcome,
 ) -> Iterator[Doubt]:
     """What is missing of the delivery, or nobody has looked at, so that it can't be accepted; ``sheets``: that were to
-    be measured."""
+    be measured; ``by_rules``: what the rules alone say."""
     yield from _doubts((delivery.files.gone, messages.DOUBT_FILES_GONE, messages.WOULD_SCAN_AGAIN))
     if delivery.lacking_m:
         yield messages.SEAMS_LACK(metres=delivery.lacking_m), messages.WOULD_GIVE_LAYER
     for layer in delivery.layers:
         if names := layer.settings.get("may_be_copies"):
             yield messages.SOURCES_ARE_MOSAIC(names=names), messages.WOULD_GIVE_ORIGINALS
-    yield from _without_orthoimages(delivery, whole, rules.limit(MEASURED_SHARE) or 0.0)
+    is_open = by_rules is AcceptanceOutcome.UNDECIDED
+    yield from _without_orthoimages(delivery, whole, rules.limit(MEASURED_SHARE) or 0.0, is_open)
     grounds = {layer.name: SeenGround.of_settings(layer.settings) for layer in delivery.layers}
     for reason in [*unseen_seams(delivery, whole, rules)][:1]:
         yield reason, messages.WOULD_GIVE_SEAMS
@@ -72,16 +74,20 @@ def lacking(
             yield messages.MOSAIC_PARTLY_READ(name=layer.name, share=unread, place=place), messages.WOULD_SEE_SHEETS
 
 
-def _without_orthoimages(delivery: Delivery, whole: MetreFigures, least: float) -> Iterator[Doubt]:
+def _without_orthoimages(
+    delivery: Delivery, whole: MetreFigures, least: float, is_open: bool
+) -> Iterator[Doubt]:
     """Why too little was measured where orthoimages lack; those that are named come first."""
     border = SeenGround.of_delivery(delivery).border_m
     seen, advice = whole.measured_m / ((whole.judged_m + border) or 1.0), messages.WOULD_GIVE_ORTHOIMAGES
     names = [name for layer in delivery.layers for name in layer.settings.get("not_given", "").split(", ") if name]
-    if names and seen < least:
+    if names and (is_open or seen < least):
         yield messages.SOURCES_LACK(names=_first_names([*dict.fromkeys(names)])), advice
     for layer in delivery.layers:
-        if (share := SeenGround.of_settings(layer.settings).unexplained) > 1 - least:
-            yield messages.MOSAIC_LACKS(name=layer.name, share=share, limit=1 - least), advice
+        ground = SeenGround.of_settings(layer.settings)
+        if (share := ground.unexplained) > 1 - least:
+            place = "; ".join(ground.unexplained_at) or "-"
+            yield messages.MOSAIC_LACKS(name=layer.name, share=share, limit=1 - least, place=place), advice
     if border and seen < least:
         yield messages.SEAMS_UNSEEN(metres=border, value=seen, limit=least), advice
 

@@ -109,13 +109,7 @@ def failure_runs(
     ends = _failed_ends(pieces, states, unit_m)
     lines = _unbroken_lines(ends, {number: pieces[number].seam if pieces[number].seam_id else None for number in ends})
     runs = sorted((_run(steps, pieces) for steps in lines), key=lambda run: -run.length_m)
-    networks = _united(list(ends.values()), 2 * len(pieces))
-    network_of = [int(networks[ends[run.pieces[0]][0]]) for run in runs]
-    metres = np.bincount(network_of, [run.length_m for run in runs]).tolist()
-    return tuple(
-        replace(run, number=number, joined_m=metres[network])
-        for number, (run, network) in enumerate(zip(runs, network_of), 1)
-    )
+    return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
 
 
 def unknown_runs(

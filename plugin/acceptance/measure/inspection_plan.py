@@ -1,12 +1,9 @@
 """Planning an inspection: how many pieces of a lot, and which."""
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Hashable, Sequence
-from typing import NamedTuple
+from collections.abc import Hashable, Sequence
 
 import numpy as np
-from scipy import stats
 
 from ...imagery.errors import Message, SettingsError
 from ...imagery.seam_totals import PieceState
@@ -25,21 +22,15 @@ def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
 
 
 def plan_sentence(plan: SamplingPlan) -> Message:
-    """How many pieces are inspected and may fail, by which standard, and what is risked; of a whole lot nothing is."""
-    risks = operating_characteristic(plan)
-    good, bad = round(risks.good_quality * plan.lot_size), round(risks.limiting_quality * plan.lot_size)
-    by_risk = messages.RISKS(
-        good=good, share=risks.good_quality, producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality,
-        consumers=risks.consumers_risk,
-    )  # fmt: skip
+    """How many pieces are inspected and may fail, by which standard."""
     if plan.is_whole_lot:
         words = messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
     elif plan.lq is not None:
-        words = messages.BY_LQ(standard=plan.standard, lot=plan.lot_size, lq=plan.lq, risks=by_risk)
+        words = messages.BY_LQ(standard=plan.standard, lot=plan.lot_size, lq=plan.lq)
     else:
         words = messages.BY_AQL(
             standard=plan.standard, lot=plan.lot_size, level=plan.inspection_level, aql=plan.aql,
-            letter=plan.code_letter, risks=by_risk,
+            letter=plan.code_letter,
         )  # fmt: skip
     size, most = plan.sample_size, plan.acceptance_number
     return messages.PLANNED_BY_STANDARD(size=size, lot=plan.lot_size, acceptance=most, plan=words)
@@ -88,63 +79,6 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     else:
         sentence = messages.SAMPLE_FAILED(nonconforming=failed, inspected=outcome.inspected, limit=most)
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
-
-
-CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %
-PRODUCERS_RISK = 0.05
-_LAST_DIGITS = 1e-9
-
-
-class OperatingCharacteristic(NamedTuple):
-    """The two points of the curve that says how likely a lot is accepted by how good it is."""
-
-    good_quality: float  # the share that ``good_items`` are
-    producers_risk: float  # probability that a lot as good as that is rejected
-    limiting_quality: float
-    consumers_risk: float  # probability that a lot as bad as that is accepted: some 10 %, by whole items up to 13 %
-
-
-def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:
-    good, limiting = good_items(plan) / plan.lot_size, limiting_quality(plan)
-    producers, consumers = 1 - acceptance_probability(plan, good), acceptance_probability(plan, limiting)
-    return OperatingCharacteristic(good, float(producers), limiting, float(consumers))
-
-
-def acceptance_probability(plan: SamplingPlan, shares: np.ndarray | float) -> np.ndarray:
-    """For shares of nonconforming items, which are rounded to whole items of the lot."""
-    items = np.rint(np.asarray(shares, float) * plan.lot_size)
-    return stats.hypergeom.cdf(plan.acceptance_number, plan.lot_size, items, plan.sample_size)
-
-
-def good_items(plan: SamplingPlan) -> int:
-    """How many items of a lot are nonconforming that is as good as the AQL; of an isolated lot the most with which it
-    is rejected with 5 % at most, or one."""
-    def is_often_rejected(items: int) -> bool:
-        return bool(1 - acceptance_probability(plan, items / plan.lot_size) > PRODUCERS_RISK)
-
-    if plan.aql is None:
-        return max(_first(is_often_rejected, 0, plan.lot_size) - 1, 1)
-    return int(np.floor(plan.aql / 100 * plan.lot_size + 1e-9))
-
-
-def limiting_quality(plan: SamplingPlan) -> float:
-    """The smallest share of nonconforming items at which a lot is accepted with a probability of 10 % at most; of an
-    isolated lot as many whole items as its limiting quality makes."""
-    def is_rare(items: int) -> bool:
-        return bool(acceptance_probability(plan, items / plan.lot_size) <= CONSUMERS_RISK)
-
-    if plan.lq is not None:
-        return math.ceil(plan.lq / 100 * plan.lot_size - _LAST_DIGITS) / plan.lot_size
-    return _first(is_rare, 0, plan.lot_size) / plan.lot_size  # with none the lot is accepted, with all it is not
-
-
-def _first(holds: Callable[[int], bool], below: int, known: int) -> int:
-    """The smallest number for which something holds, as it does for all larger ones: above ``below``, where it does not
-    hold, and at most the one for which that is ``known``; by bisection."""
-    while known - below > 1:
-        middle = (below + known) // 2
-        below, known = (below, middle) if holds(middle) else (middle, known)
-    return known
 
 
 def stratified_sample(strata: Sequence[Hashable], count: int, seed: int) -> list[int]:

@@ -3,17 +3,17 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
 from ...imagery.statistics import NORMAL_95
-from .decision import DecidedPiece, FailureRun, MetreFigures
+from .decision import DecidedPiece, FailureRun, MetreFigures, Unmeasured
 from .delivery import DeliveredPiece, Delivery
 
 NO_VERDICT = "not_comparable"  # the scan's word
-_SURE = 0.975  # probability: the lower end of a 95 % interval
+_LEAST = 1e-3  # share kept, of which a logarithm is taken
 MEASURED = (PieceState.PASSED, PieceState.FAILED)
 
 
@@ -36,6 +36,23 @@ def _failing_chance(decided: DecidedPiece, least_kept: float) -> float:
     return failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)
 
 
+def unmeasured_metres(pieces: Iterable[DecidedPiece]) -> dict[Unmeasured, float]:
+    """Metres that were not measured, by why."""
+    metres = dict.fromkeys(Unmeasured, 0.0)
+    for decided in pieces:
+        if decided.unmeasured is not None:
+            metres[decided.unmeasured] += decided.piece.length_m
+    return metres
+
+
+def roughly_failed_m(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
+    """Metres that fail of pieces that are measured too roughly to count, as far as may be expected."""
+    return math.fsum(
+        decided.piece.length_m * _failing_chance(decided, least_kept) for decided in pieces
+        if decided.unmeasured is Unmeasured.ROUGH
+    )
+
+
 def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     """Half the 95 % interval of the metres of some pieces that failed, as their intervals let pieces lie on the other
     side of the limit; m. Each is as likely to keep less than the least as its own interval says."""
@@ -46,13 +63,26 @@ def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
 
 
 def surely_failed_m(pieces: Sequence[DecidedPiece], least_kept: float) -> float:
-    """Metres of the longest row among pieces of a failure, in their order, that failed all, as sure as their intervals
-    say; one that passed among them would break it."""
-    chances = [_failing_chance(decided, least_kept) if decided.is_unclear else 1.0 for decided in pieces]
-    logs = np.concatenate([[0.0], np.cumsum(np.log(np.maximum(chances, 1e-9)))])
-    metres = np.concatenate([[0.0], np.cumsum([decided.piece.length_m for decided in pieces])])
-    first = np.searchsorted(-logs, -logs + math.log(_SURE))
-    return float((metres - metres[first]).max())
+    """Metres of the longest row among pieces of a failure, in their order, that would surely fail as one piece: what
+    they keep together is known better than what each does."""
+    lengths = np.array([decided.piece.length_m for decided in pieces])
+    kept, low, high = np.array([_interval(decided.piece) for decided in pieces]).T
+    above = lengths * np.log(kept / least_kept)
+    metres, above, squares = (
+        np.concatenate([[0.0], np.cumsum(values)])
+        for values in (lengths, above, (lengths * np.log(high / low) / 2) ** 2)
+    )
+    longest = 0.0
+    for first in range(len(pieces)):
+        ends = above[first + 1 :] - above[first] + np.sqrt(np.maximum(squares[first + 1 :] - squares[first], 0))
+        longest = max(longest, float((metres[first + 1 :] - metres[first])[ends < 0].max(initial=0.0)))
+    return longest
+
+
+def _interval(piece: DeliveredPiece) -> tuple[float, float, float]:
+    """What a piece kept and the ends of its interval, those of a point where there is none."""
+    kept = max(piece.kept_1 or 0.0, _LEAST)
+    return kept, max(piece.kept_low or kept, _LEAST), max(piece.kept_high or kept, _LEAST)
 
 
 def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: float) -> float:
@@ -60,13 +90,16 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
 
     Intervals narrow by the root of the length, as those of pieces that are put together do; no piece gets longer than
     its seam. What scans measured at 2 and 4 times the length lay within 0.06 of that (Brighton, a generated block, the
-    same half smooth; JPEG 60 and 75).
+    same half smooth; JPEG 60 and 75). Where orthoimages show a part of the strip it is measured once that part is as
+    long as the shortest piece that was.
     """
     whole: dict[object, float] = defaultdict(float)
+    shortest = min((decided.piece.length_m for decided in pieces if decided.state in MEASURED), default=math.inf)
     for piece in (decided.piece for decided in pieces):
         whole[piece.seam] += piece.length_m if piece.seam_id else math.inf
     measured = total = 0.0
-    for piece in (decided.piece for decided in pieces if decided.state is not PieceState.NO_DETAIL):
+    for decided in (decided for decided in pieces if decided.state is not PieceState.NO_DETAIL):
+        piece = decided.piece
         total += piece.length_m
         kept, low, high = piece.kept_1, piece.kept_low, piece.kept_high
         longer_m = min(piece_m, whole[piece.seam])
@@ -74,7 +107,10 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
         if kept and low and high:
             low, high = (kept * (end / kept) ** narrower for end in (low, high))
             has_verdict |= narrower < 1
-        measured += piece.length_m * (piece_state(kept, low, high, least_kept, has_verdict) in MEASURED)
+        is_measured = piece_state(kept, low, high, least_kept, has_verdict) in MEASURED
+        if decided.unmeasured is Unmeasured.UNCOVERED:
+            is_measured = (decided.cover or 0.0) * longer_m >= shortest
+        measured += piece.length_m * is_measured
     return measured / total if total else 0.0
 
 
@@ -103,43 +139,25 @@ def _goes_on(piece: DeliveredPiece, other: DeliveredPiece) -> bool:
 def metre_figures(
     name: str, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
 ) -> MetreFigures:
-    """Sums of whole pieces. ``runs`` and ``unknown``: rows of pieces that failed, or were not measured; what lies in
-    other pieces than these does not count."""
+    """Sums of whole pieces. ``runs`` and ``unknown``: rows of pieces that failed, or were not measured, of which those
+    count whole that hold any of the pieces."""
     metres = {
         state: math.fsum(decided.piece.length_m for decided in pieces if decided.state is state) for state in PieceState
     }
     failed, failures = metres[PieceState.FAILED], [piece for piece in pieces if piece.state is PieceState.FAILED]
-    lengths = {decided.piece.number: decided.piece.length_m for decided in pieces}
+    numbers = {decided.piece.number for decided in pieces}
+    longest, longest_unknown = (
+        max((run.length_m for run in rows if not numbers.isdisjoint(run.pieces)), default=0.0)
+        for rows in (runs, unknown)
+    )
     kept = (decided.piece.kept_1 for decided in pieces if decided.state in MEASURED)
     return MetreFigures(
         name, len(pieces), len(failures), math.fsum(metres.values()),
         metres[PieceState.NO_DETAIL], metres[PieceState.PASSED] + failed, failed,
-        math.fsum(decided.piece.length_m for decided in pieces if decided.is_unclear), _longest_m(runs, lengths),
-        math.fsum(decided.piece.length_m for decided in failures if decided.is_unclear), _longest_m(unknown, lengths),
+        math.fsum(decided.piece.length_m for decided in pieces if decided.is_unclear), longest,
+        math.fsum(decided.piece.length_m for decided in failures if decided.is_unclear), longest_unknown,
         min((share for share in kept if share is not None), default=None),
     )  # fmt: skip
-
-
-def counted_again(
-    pieces: Iterable[DecidedPiece], shared: Mapping[int, int], states: Sequence[PieceState]
-) -> float:
-    """Metres of pieces in some states beyond those that would count if each place did once, m; ``shared``: in how many
-    other scans' mosaics pieces lie."""
-    return math.fsum(
-        decided.piece.length_m * (1 - 1 / (1 + shared[decided.piece.number])) for decided in pieces
-        if decided.state in states and decided.piece.number in shared
-    )
-
-
-def _longest_m(runs: Iterable[FailureRun], lengths: Mapping[int, float]) -> float:
-    """Metres of the longest row of pieces that follow each other in a run; ``lengths``: of those that count."""
-    longest = 0.0
-    for run in runs:
-        metres = 0.0
-        for number in run.pieces:
-            metres = metres + lengths[number] if number in lengths else 0.0
-            longest = max(longest, metres)
-    return longest
 
 
 def pieces_of_sheets(delivery: Delivery, pieces: Sequence[DecidedPiece]) -> dict[str, list[DecidedPiece]]:

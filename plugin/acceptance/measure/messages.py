@@ -40,7 +40,7 @@ SEAM_OFF_MOSAIC = Message(
 PLANNED_BY_STANDARD = Message("{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING)
-PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
+PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn.", INFO)
 # the decision: {why} and {also} are reasons from below
 ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
 REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
@@ -62,6 +62,9 @@ SHARE_FAILED = Message("{value:.2%} of the measured metres failed and {limit:.2%
 SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
     "{high:.2%}", INFO)
+SHARE_UNKNOWN = Message(
+    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with the {metres:.0f} m that were not measured "
+    "it may be up to {high:.2%}", INFO)
 RUN_FAILED = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
@@ -74,7 +77,8 @@ RUN_IN_PIECE = Message(
     "{metres:.1f} m long, which can hide a longer one", INFO)
 MEASURED = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
-MOSAIC_LACKS = Message("{share:.0%} of the mosaic of '{name}' match no orthoimage and {limit:.0%} may", INFO)
+MOSAIC_LACKS = Message(
+    "{share:.0%} of the mosaic of '{name}' match no orthoimage and {limit:.0%} may; most of it around {place}", INFO)
 MOSAIC_DISPLACED = Message(
     "the mosaic of '{name}' does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m "
     "to the north of all of them", INFO)
@@ -112,31 +116,25 @@ BORDER_HIDDEN = Message(
     "along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these "
     "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
 SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
-BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}", INFO)
-BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}", INFO)
-RISKS = Message(
-    "{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with "
-    "{bad} ({limiting:.1%}) are accepted", INFO)
+BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}", INFO)
+BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
 # what the decision rests on
-METRES_FAILED = Message("{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.", INFO)
-COUNTED_AGAIN = Message(
-    "{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place "
-    "counted once, {share:.2%} would have failed.", WARNING)
 NOT_MEASURED = Message(
-    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed. If all of "
-    "it failed, {worst:.1%} would fail.", WARNING)
-UNCLEAR = Message("{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
-LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
+    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count as the worst that they may be. If all of it "
+    "failed, {worst:.1%} would fail.", WARNING)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
-    "What would decide it: a scan with pieces of {piece:.0f} m, with which some {share:.0%} of the metres would be "
-    "measured and {least:.0%} are required.", WARNING)
+    "What would decide it: a scan with pieces of {piece:.0f} m (PIECE), with which some {share:.0%} of the metres "
+    "would be measured.", WARNING)
+WOULD_GIVE_COVER = Message(
+    "What would decide it: a scan with orthoimages that have pixels on both sides of the seams. Those that were given "
+    "lack them along {metres:.0f} m, such as at {x:.1f}, {y:.1f}; ask the producer for them.", WARNING)
 WOULD_LOOK_THERE = Message(
     "What would decide it: an operator's look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; "
     "whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not "
@@ -172,9 +170,6 @@ WOULD_SCAN_AGAIN = Message(
 WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
     "layers of others out.", WARNING)
-WOULD_MEASURE_ROWS = Message(
-    "What would decide it: an operator's look at the rows of pieces longer than {limit:.0f} m that were not measured; "
-    "whoever signs decides by that. The field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
     "longer piece may pass although a part of it failed.", WARNING)
@@ -195,8 +190,7 @@ SOURCES_GONE = Message(
     "Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the "
     "decision can't be repeated.", WARNING)
 SETTINGS_DIFFER = Message(
-    "The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same "
-    "settings.", WARNING)
+    "The layers of seams were measured with different settings: {setting} is {values}.", WARNING)
 LAYER_FILTERED = Message(
     "{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of "
     "them.")
@@ -204,14 +198,11 @@ DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with 
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest "
     "failure of the delivery can't be determined from it.", INFO)
-SAMPLE_ONLY = Message(
-    "The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn "
-    "for, or give the layers of the scan.", WARNING)
 RUN_NOT_IN_SAMPLE = Message("the longest failure can't be determined from a sample", INFO)
 # inspected windows
-WINDOWS_SAY_NOTHING = Message(
-    "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
-    WARNING)
+WINDOWS_GIVEN = Message(
+    "Windows that operators inspected: {count}; with a cause: {causes}; judged visible: {visible}, invisible: "
+    "{invisible}. They explain failures and do not change the decision.", INFO)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
 LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; choose the layer 'Seams' of a scan.")
@@ -238,21 +229,10 @@ PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.", INFO)
-SCAN_UNEXPLAINED = Message(
-    "The scan of '{name}' found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there "
-    "are not counted and those beside it are not measured; scan again with the orthoimages that it was made from, "
-    "placed as it is.", WARNING)
-SCAN_UNSEEN = Message(
-    "The mosaic of '{name}' passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
-    "measured, the longest around {place}.", WARNING)
 SCAN_PARTLY = Message(
     "Only {share:.0%} of the mosaic of '{name}' were scanned, in its corridor; seams elsewhere are unknown.", INFO)
-SOURCES_NOT_GIVEN = Message(
-    "The seamlines of '{name}' name orthoimages that the scan was not given ({names}); seams beside them are not "
-    "measured.", WARNING)
 SCANNED_APART = Message(
-    "{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets "
-    "that meet as one mosaic.", WARNING)
+    "{count} mosaics were scanned one by one: a seam along the border between two of them is not counted.", WARNING)
 SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: "
     "make sure that the mosaic was made from them.", INFO)
@@ -260,8 +240,8 @@ SEAMS_GIVEN = Message(
     "The scan of '{name}' measured along the seamlines that it was given; a seam that these lack is noticed only if it "
     "is longer than some 150 pixels.", INFO)
 SEAMS_FOUND = Message(
-    "The scan of '{name}' found the seams from the pixels, and wide feathers hide some of them. Give it the producer's "
-    "seamlines to measure all of them.", WARNING)
+    "The scan of '{name}' found the seams from the pixels, without seamlines, and wide feathers hide some of them.",
+    WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
 # the files of a delivery; what is found at a sheet goes into tables

@@ -2,8 +2,9 @@
 
 A rule is kept or broken where nothing that is not known could turn it round:
 
-- Shares of the measured metres stand for all of them where as much was measured as the rules ask for. With less a share
-  is too large only where it would be so with all else sound, and kept where it would be with all else lost.
+- Of metres that were not measured nobody knows: a share is too large only where it would be so with all of them sound,
+  and kept where it would be with all of them lost. Those whose intervals are too wide to count fail as likely as these
+  say. Ground without detail has nothing to lose and is no part of any share.
 - Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
   end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
 - A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open. So does a
@@ -22,8 +23,15 @@ from ...imagery.errors import Message, Stated
 from ...imagery.seam_totals import PieceState
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
-from .decision import DecidedPiece, MetreFigures, RuleOutcome
-from .measured_pieces import ends_within, known_within, measured_with, surely_failed_m
+from .decision import DecidedPiece, MetreFigures, RuleOutcome, Unmeasured
+from .measured_pieces import (
+    ends_within,
+    known_within,
+    measured_with,
+    roughly_failed_m,
+    surely_failed_m,
+    unmeasured_metres,
+)
 
 MOST_AT_ENDS = 0.2
 """Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
@@ -40,7 +48,7 @@ class Ruling:
 
     figures: MetreFigures
     pieces: Sequence[DecidedPiece]
-    longest: Sequence[DecidedPiece]  # those of its longest failure, or all
+    failures: Sequence[DecidedPiece]  # those of its failures, each in the order of its row
     rules: AcceptanceRules
 
     def outcomes(self) -> list[RuleOutcome]:
@@ -64,27 +72,24 @@ class Ruling:
         return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
 
     def _failed(self) -> tuple[float, float, float]:
-        """The share, and between what it may lie, also where ground that several scans measured counts once."""
-        figures = self.figures
-        between = [*self._failed_between(), *self._failed_between(figures.failed_again_m, figures.measured_again_m)]
-        return figures.failed_m / figures.measured_m, min(between), max(between)
+        """The share, and between what it may lie with all that is not known."""
+        figures, least_kept = self.figures, self.rules.least_kept
+        likely_m = figures.failed_m + roughly_failed_m(self.pieces, least_kept)
+        blank_m = figures.not_measured_m - unmeasured_metres(self.pieces)[Unmeasured.ROUGH]
+        within, most_m = self._within(), figures.judged_m - blank_m
+        low, high = max(likely_m - within, 0.0), min(likely_m + within, most_m) + blank_m
+        value = figures.failed_m / figures.measured_m
+        return value, min(low / figures.judged_m, value), max(high / figures.judged_m, value)
 
-    def _failed_between(self, failed_again_m: float = 0.0, measured_again_m: float = 0.0) -> tuple[float, float]:
-        """Between what the share may lie without what counts again."""
-        figures, least = self.figures, self.rules.rule(MEASURED_SHARE)
-        failed_m, measured_m = figures.failed_m - failed_again_m, figures.measured_m - measured_again_m
-        within = math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends())
-        enough = least is None or least.passes(figures.measured_share)
-        open_m = 0.0 if enough else figures.not_measured_m
-        low, high = max(failed_m - within, 0.0), min(failed_m + within, measured_m) + open_m
-        return low / (measured_m + open_m), min(high / (measured_m + open_m), 1.0)
+    def _within(self) -> float:
+        """Half the 95 % interval of the metres that failed, where something is known of them; m."""
+        return math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends())
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
         longest, failures = self.figures.longest_failure_m or 0.0, dict[Optional[int], list[DecidedPiece]]()
-        for decided in self.longest:
-            if decided.state is PieceState.FAILED:
-                failures.setdefault(decided.run, []).append(decided)
+        for decided in self.failures:
+            failures.setdefault(decided.run, []).append(decided)
         sure = max((surely_failed_m(run, self.rules.least_kept) for run in failures.values()), default=0.0)
         return longest, min(sure, longest), max(longest, self.figures.longest_unknown_m, self._hiding_m())
 
@@ -111,6 +116,9 @@ class Ruling:
             return messages.SHARE_FAILED(value=shown, limit=limit) if rule.check == FAILED_SHARE else (
                 messages.RUN_FAILED(value=shown, limit=limit)
             )
+        rest_m = self.figures.not_measured_m
+        if rule.check == FAILED_SHARE and rest_m > self._within():
+            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=rest_m, high=high)
         if rule.check == FAILED_SHARE:
             return messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high)
         if not rule.passes(value):
@@ -127,16 +135,16 @@ class Ruling:
             return messages.WOULD_GIVE_SCAN()
         if not figures.judged_m:
             return messages.WOULD_LOOK()
-        if figures.not_measured_m and (MEASURED_SHARE in is_open or not figures.measured_m):
-            return self._would_measure(has_sources)
         longest = is_open.get(LONGEST_FAILURE)
-        if longest is not None and (longest.value or 0.0) <= longest.limit:
-            if self._hiding_m():
-                return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
-            return messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
         share = self.rules.rule(FAILED_SHARE) if FAILED_SHARE in is_open else None
-        if share is not None and len({share.passes(value) for value in self._failed_between()}) == 1:
-            return messages.WOULD_LEAVE_OUT()
+        is_short = longest is not None and (longest.value or 0.0) <= longest.limit
+        if MEASURED_SHARE not in is_open and longest is not None and is_short and self._hiding_m():
+            return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
+        if figures.not_measured_m and (
+            MEASURED_SHARE in is_open or not figures.measured_m or is_short
+            or (share is not None and figures.not_measured_m > self._within())
+        ):
+            return self._would_measure(has_sources, MEASURED_SHARE in is_open)
         within = self._open_ends()
         if share is not None and within > known_within(self.pieces, self.rules.least_kept):
             return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
@@ -147,18 +155,25 @@ class Ruling:
     def _typical_m(self) -> float:
         return float(np.median([decided.piece.length_m for decided in self.pieces]))
 
-    def _would_measure(self, has_sources: bool) -> Message:
-        """A length of pieces that would measure as much as is wanted and hides no failure; else what remains."""
+    def _would_measure(self, has_sources: bool, is_little: bool) -> Message:
+        """A length of pieces that would measure as much as is wanted and hides no failure; else the orthoimages that
+        are not there, else what remains. ``is_little``: whether less was measured than the rules ask for."""
         least, lacking = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m
-        wanted = max(least * self.figures.judged_m - self.figures.measured_m, 0.0) or lacking
-        run = self.rules.rule(LONGEST_FAILURE)
+        run, failed, every_m = self.rules.rule(LONGEST_FAILURE), self.figures.failed_m, self.figures.judged_m
+        may_fail = self.rules.limit(FAILED_SHARE) or 0.0
+        wanted = max(least * every_m - self.figures.measured_m, lacking - max(may_fail * every_m - failed, 0.0))
+        needed = least + _SPARE if is_little else 1 - may_fail + failed / every_m
+        if run is not None and not run.passes(self.figures.longest_unknown_m):
+            wanted, needed = lacking, max(needed, 1 - run.limit / every_m)  # no row of it may be a failure
         if not has_sources:
             return messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
         typical, longest = self._typical_m(), (run.limit if run else 0.0) / 2 or math.inf
         for piece in (min(round(times * typical), longest) for times in (2, 4)):
             share = measured_with(self.pieces, self.rules.least_kept, piece)
-            if piece > typical and share >= min(least + _SPARE, 1.0):
-                return messages.WOULD_MEASURE(piece=Stated(piece), share=share, least=Stated(least))
-        if run is not None and not run.passes(self.figures.longest_unknown_m):
-            wanted = lacking  # no row of it may be a failure
+            if piece > typical and share >= min(needed, 1.0):
+                return messages.WOULD_MEASURE(piece=Stated(piece), share=share)
+        uncovered = [decided.piece for decided in self.pieces if decided.unmeasured is Unmeasured.UNCOVERED]
+        if uncovered and 2 * (metres := math.fsum(piece.length_m for piece in uncovered)) >= wanted:
+            x, y = uncovered[0].middle
+            return messages.WOULD_GIVE_COVER(metres=metres, x=x, y=y)
         return messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking)

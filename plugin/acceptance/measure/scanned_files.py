@@ -2,28 +2,18 @@
 
 A file is known by its content, wherever it lies; one that lies where it was scanned also by the time of its change. The
 files of a mosaic that is a VRT are those that it names, and the VRT itself.
-
-Where mosaics of several scans overlap, each of them has measured the same ground.
 """
 from __future__ import annotations
 
 import os
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Sequence
 from operator import itemgetter
 
-import numpy as np
-
-from ...imagery.errors import RasterError
 from ...imagery.file_identity import FileState, PlacedState, known_states, local_state, states_in
 from ...imagery.gdal_paths import is_remote
-from ...imagery.grids import PixelWindow
-from ...imagery.open_raster import OpenRaster
-from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import transform_points
 from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .delivery import Delivery, FileDoubts
+from .orthoimage_cover import seam_cover
 
 
 def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[str]) -> FileDoubts:
@@ -63,31 +53,11 @@ def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[st
         tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count, tuple(others),
         tuple(name for scanned in by_mosaic.values() if len(scanned) > 1 for name in scanned.values()),
         0 if mosaics else len(by_mosaic),
-        _shared(delivery, {name: of_mosaic.places_of(files) for name, files in by_layer.items()}),
+        seam_cover(
+            [piece for piece in delivery.pieces if piece.kept_1 is None and piece.has_detail], delivery.wkt,
+            of_sources.places_of(of_sources.files),
+        ),
     )
-
-
-def _shared(delivery: Delivery, rasters: Mapping[str, Sequence[str]]) -> Mapping[int, int]:
-    """In how many other scans' mosaics pieces lie, by the numbers of those whose middles any of these shows.
-
-    ``rasters``: paths of what the mosaics are made of, by layers. What can't be read shows nothing.
-    """
-    shared: Counter[int] = Counter()
-    for paths in rasters.values() if delivery.sampled_numbers is None else ():
-        others = [piece for piece in delivery.pieces if rasters.get(piece.seam[0], paths) != paths]
-        shown: set[int] = set()
-        for path in paths if others else ():
-            with suppress(RasterError):
-                opened, middles = OpenRaster(RasterRef(path)), np.array([piece.middle for piece in others])
-                raster = opened.raster
-                places = raster.grid.to_pixels(transform_points(middles, delivery.wkt, raster.wkt))
-                is_inside = ((places >= 0) & (places < (raster.columns, raster.rows))).all(axis=1)
-                for place in np.flatnonzero(is_inside & raster.has_place).tolist():
-                    column, row = places[place].astype(int).tolist()
-                    if opened.read(PixelWindow(column, row, 1, 1)).valid.all():
-                        shown.add(others[place].number)
-        shared.update(shown)
-    return shared
 
 
 class _Scanned:

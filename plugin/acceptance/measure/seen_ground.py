@@ -20,8 +20,6 @@ MOST_APART = 0.05
 """Share of the metres that only the scan or only the seamlines may have as a seam: sound seamlines, and what a scan
 finds of them in samples, differ by less."""
 
-TOLD_UNEXPLAINED = 0.03  # share of a mosaic without orthoimage that is told, as the scan does
-
 
 def _place(x: float, y: float, width_m: float | None = None, height_m: float | None = None) -> str:
     """A part of the ground by its middle in the reference system of its layer, and by its size where that is known."""
@@ -118,17 +116,9 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
 
 
 def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message]:
-    """What one scan saw beside its seams, and where it could not find or measure any."""
-    ground = SeenGround.of_settings(settings)
-    if ground.unexplained >= TOLD_UNEXPLAINED:
-        place = "; ".join(ground.unexplained_at)
-        yield messages.SCAN_UNEXPLAINED(name=name, share=ground.unexplained, place=place)
-    if ground.unseen_m:
-        yield messages.SCAN_UNSEEN(name=name, metres=ground.unseen_m, place=_first(ground.unseen_at))
-    if ground.looked_at < 1:
-        yield messages.SCAN_PARTLY(name=name, share=ground.looked_at)
-    if names := settings.get("not_given"):
-        yield messages.SOURCES_NOT_GIVEN(name=name, names=names)
+    """What one scan could not see."""
+    if (looked_at := SeenGround.of_settings(settings).looked_at) < 1:
+        yield messages.SCAN_PARTLY(name=name, share=looked_at)
 
 
 def _first(places: tuple[str, ...]) -> str:

@@ -17,8 +17,8 @@ from ...toolkit.charts.figure_files import new_figure, svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
-from ..measure.acceptance_rules import KEPT, MEASURED_SHARE
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
+from ..measure.acceptance_rules import KEPT
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Unmeasured
 from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
@@ -44,7 +44,6 @@ from .words import (
 
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
 MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
-_MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
 OUTCOME_STATES = {
@@ -77,7 +76,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         failing=failing_sentence(decision),
         judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
-        joined=metres(max(run.joined_m for run in decision.runs)) if decision.longest_failure_m else "",
         parts=parts,
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
@@ -150,9 +148,12 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     count, faulty = len(decision.sheets), len(decision.delivery.findings)
     failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
         count=len(decision.runs), sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
+    if alone := sum(outcome is AcceptanceOutcome.REJECTED for outcome in decision.sheet_outcomes):
+        failures += filled(tr("; sheets rejected by themselves: {count}"), count=alone)
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
     if decision.whole.not_measured_m:
         yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
+        yield _cover_part(decision)
     yield from _ground_parts(decision)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
@@ -165,15 +166,37 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
 
 
 def _unmeasured(decision: Decision) -> str:
-    """Why pieces were not measured, in the scan's words without numbers and advice; those of most metres first."""
+    """Why pieces were not measured, those of most metres first; what else is, in the words of the scan for the first of
+    those pieces that it tells the same of, without its advice."""
     lengths: dict[str, float] = defaultdict(float)
-    for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        why = piece.reason.partition(";")[0].rstrip(".")
-        lengths[_NUMBER.sub("\u2026", why) or tr("no reason is given")] += piece.length_m
+    words: dict[object, str] = {
+        Unmeasured.ROUGH: tr("what is kept is known too roughly"),
+        Unmeasured.UNCOVERED: tr("the orthoimages have no pixels beside the seam"),
+    }
+    for decided in decision.pieces:
+        if decided.unmeasured is not None:
+            reason = decided.piece.reason.partition(";")[0].rstrip(".") or tr("no reason is given")
+            is_known = decided.unmeasured in words
+            kind = words[decided.unmeasured] if is_known else words.setdefault(_NUMBER.sub("", reason), reason)
+            lengths[kind] += decided.piece.length_m
     reasons = sorted(lengths.items(), key=lambda reason: -reason[1])
-    rest = sum(length for _, length in reasons[_MOST_REASONS:])
-    most = [*reasons[:_MOST_REASONS], *([(tr("other reasons"), rest)] if rest else [])]
-    return "; ".join(f"{metres(length)}: {reason}" for reason, length in most)
+    return "; ".join(f"{metres(length)}: {reason}" for reason, length in reasons)
+
+
+def _cover_part(decision: Decision) -> tuple[str, str, str, bool]:
+    """Whether the orthoimages show both sides of the seams, as far as their files can be read."""
+    name, places = tr("orthoimages along the seams"), defaultdict[object, list[DeliveredPiece]](list)
+    for decided in decision.pieces:
+        places[decided.unmeasured].append(decided.piece)
+    if lacking := places[Unmeasured.UNCOVERED]:
+        worst = max(lacking, key=lambda piece: piece.length_m)
+        words = filled(tr("no pixels beside {metres} of seam, such as at {place}; to be given by the producer"),
+            metres=metres(sum(piece.length_m for piece in lacking)),
+            place=", ".join(formatted(along, ".1f") for along in worst.middle))
+        return name, tr("With findings"), words, decision.accepted is not True
+    is_known = all(piece.number in decision.delivery.files.cover for piece in places[Unmeasured.OTHER])
+    return (name, tr("No findings"), "", False) if is_known else (
+        name, tr("Not checked"), tr("their files can't be read"), False)
 
 
 def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
@@ -218,7 +241,8 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str
         yield (
             tr(CHECKS[outcome.check].title), outcome_value(outcome), outcome_limit(outcome),
             1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
-            _capital(sentence(outcome.sentence)) if outcome.passed is None and outcome.check != MEASURED_SHARE else "",
+            _capital(sentence(outcome.sentence)) if outcome.passed is None and outcome.low != outcome.high and (
+                outcome.sentence != decision.foremost) else "",
         )  # fmt: skip
     for check in map(CHECKS.__getitem__, decision.rules.unlimited):
         figure = check.figure(decision.whole)

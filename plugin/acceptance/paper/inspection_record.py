@@ -16,6 +16,7 @@ from ...toolkit.translation import tr
 from ..measure.decision import Decision, Defect, defects_of
 from ..measure.delivered_rows import united_settings
 from ..measure.delivery import in_words
+from ..measure.orthoimage_cover import file_stem
 from .paper_head import TITLE
 from .words import failing_sentence, metres
 
@@ -27,10 +28,10 @@ def listed_images(decision: Decision, paths: Iterable[str]) -> tuple[tuple[str, 
         for name, day in ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date)):
             if name and (day or name not in dates):
                 dates[name] = day
-    of_stem = {_stem(name): day for name, day in dates.items()}
-    images = {path: of_stem.get(_stem(path), "") for path in paths}
-    known = set(map(_stem, images))
-    images.update({name: day for name, day in dates.items() if _stem(name) not in known})
+    of_stem = {file_stem(name): day for name, day in dates.items()}
+    images = {path: of_stem.get(file_stem(path), "") for path in paths}
+    known = set(map(file_stem, images))
+    images.update({name: day for name, day in dates.items() if file_stem(name) not in known})
     return tuple(sorted(images.items(), key=lambda image: (in_words(file_name(image[0])), image[0])))
 
 
@@ -45,10 +46,6 @@ def scanned_images(decision: Decision) -> list[str]:
 def file_name(path: str) -> str:
     """Seamlines may name files with their folders, of any system."""
     return PureWindowsPath(path).name
-
-
-def _stem(path: str) -> str:
-    return PureWindowsPath(path).stem.lower()
 
 
 @dataclass(frozen=True, eq=False)

@@ -67,7 +67,7 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
     )
     algorithm.addDescribed(*common.report(filled(tr(
         "The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest "
-        "{most}, the plan's risk. Opens in a browser and prints on A4."
+        "{most}. Opens in a browser and prints on A4."
     ), most=MOST_PICTURES), by_default=True))
     algorithm.addDescribed(
         common.made_file(QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True, by_default=False),

@@ -20,8 +20,9 @@ from ...toolkit.layers import box_extent, reference_system
 from ...toolkit.pages.templates import environment, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import Decision, RuleOutcome
+from ..measure.decision import Decision, RuleOutcome, Unmeasured
 from ..measure.inspection_plan import plan_sentence
+from ..measure.measured_pieces import unmeasured_metres
 from .inspection_record import InspectionRecord, how_measured
 from .paper_head import head_rows
 from .sheet_layer import extent_of_all
@@ -32,7 +33,7 @@ METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
 """Units of measure by their address; ``ONE`` for counts and fractions of 1."""
 
 ACCURACY, USABILITY = "DQ_QuantitativeAttributeAccuracy", "DQ_UsabilityElement"
-REPRESENTATIVITY = "DQ_Representativity"
+REPRESENTATIVITY, OMISSION = "DQ_Representativity", "DQ_CompletenessOmission"
 """Classes of the standard. Grey values are a coverage's attributes, and lost detail an error of theirs; whether a
 delivery keeps to its rules is usability; how much was looked at is metaquality."""
 
@@ -90,6 +91,12 @@ def quality_elements(decision: Decision) -> Iterator[QualityElement]:
                 kinds.get(code, ACCURACY), code, tr(check.title), tr(check.description), _evaluation(code, decision),
                 None if outcome is None else _conformance(outcome), quantities,
             )
+    if lacking := unmeasured_metres(decision.pieces)[Unmeasured.UNCOVERED]:
+        yield QualityElement(
+            OMISSION, "uncovered", tr("orthoimages along the seams"),
+            tr("Length of seam beside which the orthoimages that were given have no pixels."),
+            Evaluation(FULL, tr("Each piece of seam that could not be measured.")), None, [(lacking, METRES, "")],
+        )
     if decision.delivery.is_checked:
         yield _files(decision.delivery.findings)
 

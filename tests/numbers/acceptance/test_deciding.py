@@ -98,12 +98,13 @@ def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> Non
     assert (decision.outcome, decision.accepted) == (UNDECIDED, None)
     assert str(decision.sentences[0]).startswith("Undecided by 'contract': ")
     assert "80.0% of the metres were measured" in str(decision.sentences[0])
-    assert "measuring at least 10 of the 20 m that were not measured" in text_of(decision)
+    assert "measuring at least 18 of the 20 m that were not measured" in text_of(decision)
     assert "20.0 of 100.0 m of seam could not be measured" in text_of(decision)
     files = {SOURCE_FILES: states_text([("/a.tif", FileState(1, 1, "d"))])}
     wide = [replace(item, kept_low=0.48, kept_high=1.2, verdict="not_comparable") for item in seam([0.76] * 10)]
     made = replace(delivery(wide), layers=(DeliveredLayer("a", Seal.WHOLE, 0.0, files),))
-    assert "with pieces of 20 m, with which some 100% of the metres would be measured" in text_of(decide(made, rules()))
+    advised = str(decide(made, rules()).sentences[1])
+    assert "with pieces of 20 m (PIECE), with which some 100% of the metres would be measured" in advised
     whole_seams = [replace(piece, seam_id=str(piece.number)) for piece in wide]
     wider = [replace(piece, kept_low=0.42, kept_high=1.45) for piece in wide]  # enough only in pieces of 40 m
     by_look = "an operator's look at what was not measured, at least 100 of 100 m; whoever signs decides by that"
@@ -170,6 +171,24 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     row = [replace(item, kept_low=0.6, kept_high=0.79) for item in seam([0.69] * 8)]  # one that passed would break it
     assert decide(delivery(row), rules(share=1.0)).outcome is UNDECIDED
     assert decide(delivery(sure(row)), rules(share=1.0)).outcome is REJECTED
+    feather = [replace(item, kept_low=0.5, kept_high=0.72) for item in seam([0.6] * 8)]  # it keeps 0.57 to 0.64
+    assert decide(delivery(feather), rules(share=1.0)).outcome is REJECTED
+
+
+@pytest.mark.parametrize(("count", "failed", "low", "outcome"), [
+    (3, 0, None, UNDECIDED), (2, 0, None, ACCEPTED), (3, 3, None, REJECTED), (3, 2, None, UNDECIDED),
+    (3, 0, 0.5, ACCEPTED), (50, 0, 0.5, UNDECIDED),
+])  # fmt: skip
+def test_what_was_not_measured_counts_as_the_worst_that_it_may_be(
+    count: int, failed: int, low: float | None, outcome: AcceptanceOutcome
+) -> None:
+    """Two of 100 pieces may fail. With an interval a piece fails as likely as that says: 16 % of [0.5, 2]."""
+    blank = [replace(item, kept_1=None, kept_low=None, kept_high=None) for item in seam([0.9] * count)]
+    rough = [replace(item, kept_1=1.0, kept_low=low, kept_high=2.0, verdict="not_comparable") for item in blank]
+    rest = seam([0.3] * failed + [0.95] * (100 - count - failed), 10, "a", "2", (0, 99), number=count)
+    decision = decide(delivery(blank if low is None else rough, rest), rules(run=None, measured=0.4))
+    assert decision.outcome is outcome
+    assert decision.whole.not_measured_m == 10 * count
 
 
 def test_layers_that_lack_seams_are_not_accepted() -> None:
@@ -195,7 +214,11 @@ def test_sheets_are_decided_by_the_same_limits() -> None:
     decision = decide(delivery(sound, lost, rest, unknown), rules(share=0.02, run=100.0))
     assert decision.sheet_outcomes == (ACCEPTED, REJECTED, UNDECIDED)
     assert decision.whole.failed_share == pytest.approx(0.02)
-    assert decision.outcome is ACCEPTED  # of all sheets 2 % may fail, and 92 % were measured
+    assert decision.outcome is UNDECIDED  # 92 % were measured, and what was not may have failed
+    assert "with the 90 m that were not measured it may be up to 10.09%" in str(decision.sentences[0])
+    north = seam([0.4] * 3 + [0.95] * 200, 10, "b", "2", (0, 2030), (0, 1), 203)
+    decision = decide(delivery(seam([0.95] * 200 + [0.4] * 3, way=(0, 1)), north), rules())
+    assert (decision.outcome, decision.sheet_outcomes) == (REJECTED, (REJECTED, REJECTED))  # by one failure of 60 m
 
 
 def test_sheets_that_were_not_measured_alike_are_told() -> None:
@@ -249,7 +272,6 @@ def test_a_plan_decides_by_its_number(failed: int, accepted: bool) -> None:
     assert (decision.plan.plan.sample_size, decision.plan.plan.acceptance_number) == (80, 2)
     assert (decision.plan.inspected, decision.plan.nonconforming) == (80, failed)
     assert f"{failed} of 80 inspected pieces failed" in str(decision.sentences[0])
-    assert any("are rejected" in str(sentence) for sentence in decision.sentences)
 
 
 def test_a_sample_is_drawn_with_its_seed() -> None:
@@ -284,8 +306,6 @@ def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | N
     assert "can't be determined from a sample" in str(decision.sentences[0])
     assert "a sample of 80 pieces" in text_of(decision)
     assert "the layers of the whole scan" in text_of(decision)
-    assert "without a break: " not in text_of(decision)
-    assert ("decide by the plan" in text_of(decision)) == (sampling is None)
     assert decide(part, rules(share=0.02, run=None, sampling=sampling)).accepted  # the share can be estimated
     too_long = next(outcome for outcome in decide(part, rules(run=5.0)).outcomes if outcome.check == "longest_failure")
     assert too_long.passed is False  # what the sample shows is at least as long in the delivery
@@ -323,7 +343,7 @@ def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
         (rule,) = (outcome for outcome in decision.outcomes if outcome.check == LONGEST_FAILURE)
         assert (rule.passed, rule.high) == (None, longest)
         assert decision.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
-        assert "look at the rows of pieces longer than 50 m" in text_of(decision)
+        assert "What would decide it: measuring at least" in text_of(decision)
 
 
 def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:
@@ -390,6 +410,6 @@ def with_sheet(made: Delivery, state: SheetState) -> Delivery:
 def test_a_corner_of_a_sheet_in_one_scan_of_many_is_no_sheet_by_itself() -> None:
     """40 m that could not be measured, less than may fail without a break; with 60 m nobody knows the sheet."""
     for count, outcome in ((4, ACCEPTED), (6, UNDECIDED)):
-        corner = seam([None] * count, sheet="b", start=(0, 99), number=100)
-        made = replace(delivery(seam([0.95] * 100), corner), outlines=(SheetOutline("a", b""), SheetOutline("b", b"")))
+        corner = seam([None] * count, sheet="b", start=(0, 99), number=200)
+        made = replace(delivery(seam([0.95] * 200), corner), outlines=(SheetOutline("a", b""), SheetOutline("b", b"")))
         assert decide(made, rules(measured=0.5)).outcome is outcome

@@ -71,8 +71,6 @@ def test_three_seams_at_a_node_are_a_line_and_a_branch() -> None:
     along = seam([F, F, F, F])
     branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
     assert lengths(along, branch) == [40, 20]
-    apart = seam([F], sheet="b", start=(0, 500), number=6)
-    assert [run.joined_m for run in whole_runs(along, branch, apart)] == [60, 60, 10]
 
 
 def test_a_ring_is_one_run() -> None:

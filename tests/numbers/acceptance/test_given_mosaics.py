@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.acceptance.measure.deciding import decide
-from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
+from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Unmeasured
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
 from seam_inspector.plugin.acceptance.measure.scanned_files import file_doubts
 from seam_inspector.plugin.imagery.file_identity import local_states, states_text
-from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
+from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 from tests.numbers.acceptance.made_decisions import BOTTOM, LEFT, UTM
@@ -74,28 +74,30 @@ def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list
     assert any(str(sentence).startswith(words) for sentence in decision.sentences) is (count > 1)
 
 
-@pytest.mark.parametrize(("failed", "blank", "outcome"), [
-    (7, False, AcceptanceOutcome.UNDECIDED), (5, False, AcceptanceOutcome.ACCEPTED),
-    (7, True, AcceptanceOutcome.ACCEPTED),
+@pytest.mark.parametrize(("hole_px", "gone", "words"), [
+    (12, False, "lack them along 30 m, such as at 500045.0, 5500000.0; ask the producer for them"),
+    (0, False, "an operator's look at what was not measured, at least 10 of 30 m"),
+    (12, True, "the files that were scanned"),
+    (3, False, "with pieces of 20 m (PIECE), with which some 100% of the metres would be measured"),
 ])  # fmt: skip
-def test_ground_that_two_scans_measured_can_not_make_failures_few(
-    tmp_path: Path, failed: int, blank: bool, outcome: AcceptanceOutcome
+def test_orthoimages_without_pixels_beside_a_seam_are_to_be_given(
+    tmp_path: Path, hole_px: int, gone: bool, words: str
 ) -> None:
-    """Half of each sheet lies on the other one, if that shows anything there; their seams differ and are sound."""
-    layers, pieces = [], []
-    for number, name in enumerate("ab"):
-        pixels = np.full((1, 40, 40), 50, np.uint8)
-        pixels[:, :, : 20 * number * blank] = pixels[:, :, 40 - 20 * (1 - number) * blank :] = 0
-        path = write_raster(tmp_path / f"{name}.tif", pixels, 10.0, (LEFT + 200 * number, BOTTOM + 400), nodata=0)
-        layers.append(layer_of(name, str(path)))
-        kept = [0.95] * 40 if number else [0.3] * failed + [0.95] * (40 - failed)
-        start = LEFT + 200 * number, BOTTOM + 100 + 150 * number
-        pieces.append(seam(kept, sheet=name, start=start, number=40 * number))
-    made = replace(delivery(*pieces), layers=tuple(layers), wkt=UTM)
-    decision = decide(replace(made, files=file_doubts(made, (), ())), rules(share=0.1, run=None))
-    assert decision.outcome is outcome
-    assert decision.whole.total_m == 800  # as anybody adds them up
-    words = " ".join(map(str, decision.sentences))
-    assert ("200.0 measured metres repeat what another scan measured" in words) is not blank
-    assert (f"If each place counted once, {failed / 60:.2%} would have failed" in words) is not blank
-    assert ("of sheets that overlap as one mosaic" in words) is (outcome is AcceptanceOutcome.UNDECIDED)
+    """30 of 1000 m were not measured, where the second orthoimage has a hole around the seam, and 20 m may fail."""
+    paths = []
+    for name in ("mosaic", "a", "b"):
+        pixels = np.full((1, 200, 2000), 90, np.uint8)
+        pixels[:, 100 - hole_px : 100 + hole_px, 80:140] = 0 if name == "b" else 90
+        paths.append(write_raster(tmp_path / f"{name}.tif", pixels, 0.5, (LEFT, BOTTOM + 50), nodata=0))
+    layer = layer_of("scan", paths[0])
+    files = {**layer.settings, SOURCE_FILES: states_text(local_states(paths[1:]).items())}
+    row = seam([0.95] * 4 + [None] * 3 + [0.95] * 93, start=(LEFT, BOTTOM))
+    pieces = [replace(piece, left_source="a", right_source="folder/B.TIF") for piece in row]
+    if gone:
+        (tmp_path / "mosaic.tif").unlink()
+    made = replace(delivery(pieces), layers=(replace(layer, settings=files),), wkt=UTM)
+    decision = decide(replace(made, files=file_doubts(made, (), ())), rules())
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    assert words in str(decision.sentences[1])
+    kinds = {decided.unmeasured for decided in decision.pieces} - {None}
+    assert kinds == {Unmeasured.UNCOVERED if hole_px else Unmeasured.OTHER}

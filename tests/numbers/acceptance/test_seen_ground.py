@@ -32,8 +32,7 @@ def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: Accep
     decision = decided(said(unseen_metres=f"{unseen}.0", unseen_longest="20.0", unseen_at=PLACE))
     assert decision.outcome is outcome
     sentences = " ".join(map(str, decision.sentences))
-    assert f"along at least {unseen} m where no seam is measured" in sentences
-    assert "500036.8, 4999944.0 (6 x 102 m)" in sentences
+    assert ("500036.8, 4999944.0 (6 x 102 m)" in sentences) is (outcome is AcceptanceOutcome.UNDECIDED)
 
 
 def test_lines_along_which_nothing_changes_leave_it_open() -> None:

@@ -44,7 +44,6 @@ def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
     longest = outcome.results["LONGEST_FAILURE"]
     assert longest == 75
     assert outcome.results["ACCEPTED"] == 0
-    assert any(f"{longest:.1f} m at" in said and "west" in said and "east" in said for said in outcome.log.infos)
 
 
 def test_what_could_not_be_measured_is_not_passed() -> None:
@@ -54,7 +53,7 @@ def test_what_could_not_be_measured_is_not_passed() -> None:
         "LONGEST_FAILURE": 0,
     })  # fmt: skip
     assert outcome.results["DECISION"] == "undecided"
-    assert decide(seams([None] * 3 + [P] * 7), MIN_MEASURED=70, MAX_RUN=75).results["ACCEPTED"] == 1
+    assert decide(seams([None] * 3 + [P] * 7), MIN_MEASURED=70, MAX_RUN=75, MAX_SHARE=30).results["ACCEPTED"] == 1
     nothing = decide(seams([None] * 3))
     assert nothing.results["DECISION"] == "undecided"
     assert nothing.results.keys().isdisjoint({"ACCEPTED", "FAILED_SHARE"})

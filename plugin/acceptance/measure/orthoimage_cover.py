@@ -1,0 +1,57 @@
+"""How much of the strip along pieces of seam both orthoimages beside them show, by the pixels that their files have."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from pathlib import PureWindowsPath
+
+import numpy as np
+from osgeo import ogr
+
+from ...imagery.errors import RasterError
+from ...imagery.grids import PixelWindow
+from ...imagery.lines import burnt, line_wkt
+from ...imagery.raster_pool import open_raster
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import transform_points
+from .delivery import DeliveredPiece
+
+_STRIP_PX = 8.0  # on either side of a seam: what a scan judges by
+
+
+def file_stem(name: str) -> str:
+    """What files of one orthoimage are called alike; seamlines may name them with folders of any system."""
+    return PureWindowsPath(name).stem.lower()
+
+
+def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str]) -> dict[int, float]:
+    """Shares, 0 to 1, by the numbers of those pieces whose two orthoimages can be read: what both show at least.
+
+    ``paths``: of all orthoimages.
+    """
+    by_stem = {file_stem(path): path for path in paths}
+    cover: dict[int, float] = {}
+    for piece in pieces:
+        beside = [by_stem.get(file_stem(name)) for name in (piece.left_source, piece.right_source)]
+        with suppress(RasterError):
+            shares = [_shown_share(path, piece.vertices, wkt) for path in beside if path]
+            if len(shares) == len(beside):
+                cover[piece.number] = max(sum(shares) - 1, 0.0)
+    return cover
+
+
+def _shown_share(path: str, vertices: np.ndarray, wkt: str) -> float:
+    """The share of the strip along a line for which an orthoimage has pixels."""
+    image = open_raster(RasterRef(path))
+    raster = image.raster
+    pixels = raster.grid.to_pixels(transform_points(vertices, wkt, raster.wkt))
+    left, top = np.floor(pixels.min(axis=0) - _STRIP_PX).astype(int).tolist()
+    width, height = (np.ceil(pixels.max(axis=0) + _STRIP_PX).astype(int) - (left, top)).tolist()
+    around = PixelWindow(left, top, width, height)
+    line = ogr.CreateGeometryFromWkt(line_wkt(transform_points(vertices, wkt, raster.wkt)))
+    strip = burnt([(line.Buffer(_STRIP_PX * raster.grid.pixel_width), 1)], raster.grid, around, 0) == 1
+    inside = around.cut_to(raster.columns, raster.rows)
+    if not (inside.width > 0 and inside.height > 0):
+        return 0.0
+    part = strip[inside.row - top :, inside.column - left :][: inside.height, : inside.width]
+    return float((part & image.read(inside).valid).sum() / max(strip.sum(), 1))
