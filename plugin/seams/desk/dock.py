@@ -167,14 +167,8 @@ class InspectionDock(ToolDock):
             self._findings.dismiss()
 
     def _go_to_worst(self, fids: list[int]) -> None:
-        """To the worst place that is not judged yet; from such a place to the next one. In a review to any of them."""
-        places = list(filter(self.judging.model.is_open, fids)) or fids
-        if places:
-            current = self.session.selected()
-            following = places.index(current[0]) + 1 if current and current[0] in places else 0
-            fid = places[following % len(places)]
-            self.session.select([fid])
-            self.zoom_to(fid)
+        self.windows.uncover(fids)
+        self.judging.model.walk(fids)
 
     def _ask(self, message: Message, answers: Mapping[str, Callable[[], None]]) -> None:
         """``answers``: what is done by what the operator says; the last is what closing the question says."""

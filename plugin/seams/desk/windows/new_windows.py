@@ -96,7 +96,8 @@ class NewWindows(QObject):
         ]  # fmt: skip
         new = iter(self._add(places, filled(tr("adding {count} places of a scan"), count=len(places))))
         fids = [next(new) if fid is None else fid for fid in there]
-        self.notified.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
+        count = len(set(fids))
+        self.notified.emit(keeping_messages.PLACES_TAKEN(count=count, there=count - len(places)))
         return fids
 
     def copy_file(self) -> None:

@@ -1,7 +1,7 @@
 """The windows as a sortable table whose selection is the window layer's, filtered by kind and words."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from operator import attrgetter
@@ -168,6 +168,12 @@ class WindowsPanel(QWidget):
         """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
         return self._windows.fids()
 
+    def uncover(self, fids: Iterable[int]) -> None:
+        """Show all windows where the filter hides one of these."""
+        if not set(fids) <= set(self.ordered_fids()):
+            self._search.clear()
+            self._verdicts.setCurrentIndex(0)
+
     # Following the session
 
     def _take_windows(self) -> None:
@@ -181,7 +187,9 @@ class WindowsPanel(QWidget):
 
     @contextmanager
     def _following(self) -> Iterator[None]:
-        """While rows come and go the table's selection changes by itself; the session's is what counts."""
+        """While rows come and go the table's selection changes by itself; the session's is what counts, and what was
+        in sight of it stays so, where its row goes elsewhere with a verdict."""
+        is_seen = any(map(self.table.is_in_sight, self.table.selected_rows()))
         top = self.table.rowAt(0)
         is_scrolled = self.table.verticalScrollBar().value() > 0 and top >= 0
         anchor = self._windows.windows()[top].window_id if is_scrolled else None
@@ -193,7 +201,7 @@ class WindowsPanel(QWidget):
             self.table.scrollTo(
                 self._windows.index(rows.index(anchor), 0), QAbstractItemView.ScrollHint.PositionAtTop
             )
-        self._show_selection(selected)
+        self._show_selection(set() if is_seen else selected)
         self.orderChanged.emit()
 
     def _take_selection(self) -> None:

@@ -135,6 +135,19 @@ def test_as_many_columns_are_seen_as_there_is_room_for(
     assert panel.table.horizontalScrollBar().maximum() == 0
 
 
+def test_the_selected_window_stays_in_sight_where_its_verdict_moves_its_row(
+    panel: WindowsPanel, session: WindowsSession, show: Show
+) -> None:
+    show(panel)
+    panel.table.sortByColumn(1, Qt.SortOrder.AscendingOrder)
+    session.put([window(fid, "reduced", kept=(0.9,)) for fid in range(1, 200)] + [window(200)])
+    session.select([200])
+    assert panel.table.is_in_sight(199)
+    session.change(200, verdict="significant")
+    assert panel.table.selected_rows() == [0]
+    assert panel.table.is_in_sight(0)
+
+
 def test_the_first_click_on_the_loss_shows_the_worst_first(panel: WindowsPanel) -> None:
     header = panel.table.horizontalHeader()
     place = QPoint(header.sectionViewportPosition(LOSS) + header.sectionSize(LOSS) // 2, header.height() // 2)

@@ -99,6 +99,25 @@ def test_judging_starts_with_the_first_of_the_order_where_no_window_is_selected(
     assert session.selected() == [4]  # the worst that is not judged
 
 
+def test_the_worst_places_are_gone_through_in_their_order_and_none_is_left_out(
+    judging: Judging, bar: JudgeBar, panel: WindowsPanel, session: WindowsSession
+) -> None:
+    session.put([*five(), window(6), window(7, "not_comparable")])
+    judging.walk([4, 7, 2, 6])
+    gone = []
+    while session.selected():
+        gone += session.selected()
+        judging.judge("unsure" if gone == [4] else "visible")
+        assert panel.table.selected_fids() == session.selected()
+    assert gone == [4, 7, 2, 6]
+    assert bar.sentence() == "All windows at the worst places are judged."
+    judging.take_back()
+    assert session.selected() == [6]
+    session.select([1])  # which was not asked for
+    judging.judge("visible")
+    assert session.selected() == [3]
+
+
 def test_the_last_verdict_is_taken_back_from_the_next_window(judging: Judging, session: WindowsSession) -> None:
     session.put(five())
     session.select([1])
