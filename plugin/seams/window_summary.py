@@ -8,8 +8,14 @@ import math
 from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
+from .charts.profile_painter import longer_side_m
 from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX, SHARPNESS_TOLERANCE
+from .measure.limits import (
+    MAX_SIGNIFICANT_KEPT,
+    MAX_SIGNIFICANT_SHARPNESS_SQUARED,
+    MIN_MISREGISTRATION_PX,
+    SHARPNESS_TOLERANCE,
+)
 from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
@@ -191,7 +197,10 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
 
 
 def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
-    return seam_width_words(row.band_width, row.feather_width, result.ground_sample_distance if result else pixel_m)
+    if result is None:
+        return seam_width_words(row.band_width, row.feather_width, pixel_m)
+    pixel_m = result.ground_sample_distance
+    return seam_width_words(row.band_width, row.feather_width, pixel_m, longer_side_m(result.window, pixel_m))
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
@@ -228,10 +237,10 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
     return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not _is_blurred(row)
 
 
-def painted_width_m(row: WindowRecord) -> float:
+def painted_width_m(row: WindowRecord, result: WindowResult | None) -> float:
     """How far across its seam the loss of a window is painted: as wide as it is told. 0 where more took detail than the
     seam, or nothing is told, and all that was measured is painted."""
-    is_alone = is_lost_along_the_seam(row) and not any(loss_words(cause, 0.0) for cause in _causes_of(row))
+    is_alone = is_lost_along_the_seam(row) and not _is_whole_soft(row, explanation_of(row, result))
     return max(row.band_width or 0.0, row.feather_width or 0.0) if is_alone else 0.0
 
 
@@ -251,33 +260,39 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
-    is_along, whole = is_lost_along_the_seam(row), 1 - _kept_in_whole(row)
-    is_whole = not is_along or _is_whole_soft(row, explanation)
-    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)] * is_along
-    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)] * is_whole
-    lost = 1 - (row.kept_1 or 0.0)
-    if _is_seam_decisive(row, explanation):
-        said, causes = _lost_along(lost, width), at_seam
-        in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
-        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(cause) for cause in in_whole[:1])
-    else:
-        said, causes, in_all = _lost_in_whole(row, whole, is_along), in_whole, []
-        clause = "".join(brief_words(cause) for cause in in_whole[:1])
-    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole), *in_all]
+    is_along, causes = is_lost_along_the_seam(row), _told_causes(row, explanation)
+    said, in_all = _lost_in_whole(row, 1 - _kept_in_whole(row), is_along), []
+    if _is_seam_decisive(row):
+        said = _lost_along(1 - (row.kept_1 or 0.0), width)
+        if row.loss is not None and _is_whole_soft(row, explanation):
+            in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
+    clause = "".join(brief_words(cause) for cause in causes[:1])
+    if causes and _is_at_seam(causes[0], explanation):
+        clause = _brief_at_seam(causes, row)
+    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]
 
 
-def _is_seam_decisive(row: WindowRecord, explanation: Explanation | None) -> bool:
+def _is_seam_decisive(row: WindowRecord) -> bool:
     """Whether the seam took the more, or made the verdict."""
     is_more = (row.kept_1 or 0.0) <= _kept_in_whole(row)
-    is_alone = row.verdict == "significant" or not _is_whole_soft(row, explanation)
+    is_alone = row.verdict == "significant" or not _is_whole_soft(row, None)
     return is_lost_along_the_seam(row) and (is_alone or is_more)
 
 
-def named_causes(row: WindowRecord) -> list[str]:
-    """The cause that the sentence tells first, and the main one of the window where that is another."""
-    causes = [cause for cause in _causes_of(row) if _is_at_seam(cause, None)]
-    at_seam = causes[:1] if row.reference == SEAM and _is_seam_decisive(row, None) else []
-    return list(dict.fromkeys([*at_seam, row.cause]))
+def _told_causes(row: WindowRecord, explanation: Explanation | None) -> list[str]:
+    """What took the detail that the sentence tells of, along the seam or in the whole, the strongest first: the first
+    is named everywhere, and what can be done is about that."""
+    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)]
+    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)]
+    if _is_seam_decisive(row):
+        return at_seam or in_whole * _is_whole_soft(row, None)
+    return in_whole
+
+
+def told_cause(row: WindowRecord) -> str:
+    """The one cause that is named of a window: the one that its sentence tells first."""
+    told = _told_causes(row, None) if row.reference == SEAM and row.verdict in LOSSES else []
+    return next(iter(told), row.cause)
 
 
 def _causes_of(row: WindowRecord) -> list[str]:
@@ -292,14 +307,17 @@ def _lost_along(lost: float, width: str) -> str:
     text = tr("{lost} % of detail lost in {width} m along the seam") if width else tr(
         "{lost} % of detail lost beside the seam"
     )
-    return filled(text, lost=percent(lost), width=width)
+    return filled(text, lost=percent(lost, 1 - MAX_SIGNIFICANT_KEPT), width=width)
 
 
 def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
     """``is_along``: more of it was lost along the seam, of the ground around it."""
-    said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost))
-    if row.loss is not None:
-        said = f"{said} ({shown_area(row.loss)})"
+    limit = 1 - MAX_SIGNIFICANT_SHARPNESS_SQUARED
+    said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost, limit))
+    more = [] if row.loss is None else [shown_area(row.loss)]
+    if row.verdict == "reduced" and lost > 1 - MAX_SIGNIFICANT_KEPT:  # which would be significant along a seam
+        more.append(filled(tr("limit {percent} %"), percent=percent(limit)))
+    said = f"{said} ({'; '.join(more)})" if more else said
     if is_along:
         text = tr("{said}, {lost} % of the rest along the seam")
         return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0)))
@@ -313,11 +331,11 @@ def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:
         return []  # to inspect it again
     if row.reason_code == MAY_BE_SIGNIFICANT:
         return [tr("It may be more: judge by eye.")]
-    if Cause.MISSING_SOURCE in _causes_of(row):
+    if not causes and Cause.MISSING_SOURCE in _causes_of(row):
         return [to_do(Cause.MISSING_SOURCE)]
     if causes[:1] == [Cause.UNCLEAR]:
         return [tr("Judge by eye.")]
-    return [words for words in map(to_do, causes) if words][:1]
+    return [to_do(cause) for cause in causes[:1]]
 
 
 def _has_no_kept(row: WindowRecord) -> bool:

@@ -12,7 +12,7 @@ from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
 from ...charts.curves_painter import Chart, window_curves
-from ...charts.profile_painter import ShownProfile, bin_words, summary_words
+from ...charts.profile_painter import ShownProfile, bin_words, longer_side_m, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
 if TYPE_CHECKING:
@@ -184,7 +184,9 @@ class ProfilePanel(ChartPanel):
         if live is not None:
             if live.profile is not None:
                 min_kept = self._session.inputs.min_kept
-                self.show_profile(ShownProfile(live.profile, live.ground_sample_distance, min_kept))
+                pixel_m = live.ground_sample_distance
+                window_m = longer_side_m(live.window, pixel_m)
+                self.show_profile(ShownProfile(live.profile, pixel_m, min_kept, window_m=window_m))
             self._offer(None)
             return
         selected = self._session.selected()
@@ -192,7 +194,8 @@ class ProfilePanel(ChartPanel):
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
             pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
-            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=result.ground_left))
+            window_m = longer_side_m(result.window, pixel_m)
+            self.show_profile(ShownProfile(profile, pixel_m, min_kept, frozenset({1}), result.ground_left, window_m))
         else:
             result = None
             self._text.setText(self._why_nothing(selected))

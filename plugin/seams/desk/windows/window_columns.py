@@ -13,7 +13,7 @@ from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, shown_number, tr
 from ...measure.window_records import SEAM
-from ...window_summary import named_causes, shown_area, window_sentence, window_why
+from ...window_summary import shown_area, told_cause, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -71,17 +71,13 @@ class TableColumn(NamedTuple):
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
-            return rich_tip(cause_sentence(row.cause))
+            return rich_tip(cause_sentence(told_cause(row)))
         return window_tip(row, result)
 
 
 def _verdict_text(row: WindowRecord) -> str:
     word = verdict_word(row.verdict)
     return filled(tr("{verdict}, changed"), verdict=word) if row.stale else word
-
-
-def _cause_text(row: WindowRecord) -> str:
-    return ", ".join(map(cause_word, named_causes(row)))
 
 
 def _plain(name: str, heading: str, explanation: str, alignment: int = ALIGNED_LEFT) -> TableColumn:
@@ -115,7 +111,7 @@ COLUMNS = (
     TableColumn(
         "verdict", QT_TR_NOOP("verdict"),
         QT_TR_NOOP("The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first."),
-        _verdict_text, lambda row: _SEVERITY.get(row.verdict),
+        _verdict_text, lambda row: (_SEVERITY[row.verdict], -(row.loss or 0.0)) if row.verdict in _SEVERITY else None,
     ),
     TableColumn(
         "loss", QT_TR_NOOP("loss"),
@@ -139,7 +135,7 @@ COLUMNS = (
     TableColumn(
         "cause", QT_TR_NOOP("cause"),
         QT_TR_NOOP("The step of production that explains what happened to the contrast."),
-        _cause_text, lambda row: _cause_text(row).casefold() or None,
+        lambda row: cause_word(told_cause(row)), lambda row: cause_word(told_cause(row)).casefold() or None,
     ),
     _plain("sources", QT_TR_NOOP("sources"), QT_TR_NOOP("How many sources the mosaic was compared with."),
            _ALIGNED_RIGHT),

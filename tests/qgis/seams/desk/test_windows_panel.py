@@ -60,7 +60,7 @@ def test_changed_windows_are_marked(panel: WindowsPanel) -> None:
         (ID, ASCENDING, [1, 2, 3, 4, 10, 12]),
         (ID, DESCENDING, [12, 10, 4, 3, 2, 1]),
         (VERDICT, ASCENDING, [2, 12, 1, 10, 4, 3]),
-        (VERDICT, DESCENDING, [4, 10, 1, 2, 12, 3]),
+        (VERDICT, DESCENDING, [4, 10, 1, 12, 2, 3]),
         (LOSS, ASCENDING, [10, 1, 2, 3, 4, 12]),
         (LOSS, DESCENDING, [2, 1, 10, 3, 4, 12]),
         (RATIO, ASCENDING, [2, 12, 1, 10, 3, 4]),
