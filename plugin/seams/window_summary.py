@@ -291,8 +291,8 @@ def _told_causes(row: WindowRecord, explanation: Explanation | None) -> list[str
 
 def told_cause(row: WindowRecord) -> str:
     """The one cause that is named of a window: the one that its sentence tells first."""
-    told = _told_causes(row, None) if row.reference == SEAM and row.verdict in LOSSES else []
-    return next(iter(told), row.cause)
+    is_of_loss = row.reference == SEAM and row.verdict in LOSSES
+    return next(iter(_told_causes(row, None) if is_of_loss else ()), row.cause)
 
 
 def _causes_of(row: WindowRecord) -> list[str]:
