@@ -130,7 +130,7 @@ def draw(example: Example, folder: Path, path: Path) -> None:
     clip.set_title("the loss picture (L)", fontsize=10)
     draw_profile(profile, profile_of(result))
     profile.set_title("the seam profile", fontsize=10)
-    lines = window_curves(result, "luminance", {})
+    lines = window_curves(result, "luminance")
     draw_curves(curves, lines, imagery_limits.MAX_SIGNIFICANT_RATIO)
     curves.legend(fontsize=7.5, frameon=False)
     curves.set_title("the curves", fontsize=10)

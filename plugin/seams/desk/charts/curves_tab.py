@@ -1,6 +1,8 @@
 """The tab with the curves of the selected window, and its seam profile beside them."""
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QSize, Qt
@@ -8,10 +10,11 @@ from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QSplitter, QWidget
 
 from ....imagery.limits import judged_band
+from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
-from ...charts.curves_painter import Chart, window_curves
+from ...charts.curves_painter import Chart, ChartCurve, window_curves
 from ...charts.profile_painter import ShownProfile, bin_words, longer_side_m, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
@@ -78,7 +81,10 @@ class CurvesPanel(ChartPanel):
         result, missing = shown_window(self._session)
         if live is not None:
             size = {"columns": live.window.width, "rows": live.window.height}
-            self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
+            words = tr("Live: {columns} x {rows} px") if self._session.piece is None else tr(
+                "Window around the piece: {columns} x {rows} px"
+            )
+            self._draw(live.clips, filled(words, **size))
             self._save.offer(None)
         elif result is not None:
             chart = self._draw(result, _title(self._session, result))
@@ -87,10 +93,8 @@ class CurvesPanel(ChartPanel):
             self._show_no_curves(missing)
 
     def _draw(self, result: WindowCurves, title: str) -> Chart:
-        for clip in result.clips[1:]:
-            self._colours.setdefault(clip.raster, len(self._colours))
         band = judged_band(result.clips[0].curves)
-        curves = window_curves(result, band, self._colours, self._session.inputs.reference)
+        curves = self._coloured(window_curves(result, band, self._session.inputs.reference))
         chart = Chart(tuple(curves), self._session.inputs.max_ratio)
         self._pages.setCurrentWidget(self._chart)
         self._chart.setEnabled(True)
@@ -98,6 +102,18 @@ class CurvesPanel(ChartPanel):
         self.shown = [result]
         self._status.setText(title)
         return chart
+
+    def _coloured(self, curves: list[ChartCurve]) -> Iterator[ChartCurve]:
+        """Sources keep their colours from window to window, but where two that meet would have the same."""
+        count, taken = len(PAPER.sources), set()
+        for curve in curves:
+            if not (curve.is_mosaic or curve.is_composite):
+                wanted = self._colours.get(curve.label, len(self._colours))
+                free = (number for number in (wanted, *range(count)) if number % count not in taken)
+                self._colours[curve.label] = number = next(free, wanted)
+                taken.add(number % count)
+                curve = replace(curve, colour=number)
+            yield curve
 
     def _show_no_curves(self, why: str) -> None:
         """The chart before stays, faint, while there are some to come."""
