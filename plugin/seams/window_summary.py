@@ -19,7 +19,6 @@ from .measure.limits import (
 from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
-    CLAIMS,
     LOSSES,
     brief_words,
     cause_clause,
@@ -27,7 +26,6 @@ from .words import (
     seam_width_words,
     to_do,
     verdict_sentence,
-    verdict_word,
 )
 
 if TYPE_CHECKING:
@@ -71,20 +69,8 @@ def _number_words(text: str, value: float | None) -> list[str]:
 
 _TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
 _FEW_M2 = 10.0
-_LEAST_TAKEN = 0.005  # of the window's finest detail
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
-
-
-def by_mixture(explanation: Explanation | None) -> list[str]:
-    """That what is kept was told by the images' mixture alone, and why."""
-    profile = None if explanation is None else explanation.profile
-    if profile is None or profile.measure is not Measure.MIXTURE:
-        return []
-    if profile.by_energy is None:
-        return [tr("This follows from the mixture of the images, since there is too little unmixed ground around.")]
-    if profile.added_beside >= _MUCH_ADDED:
-        return [tr("This follows from the mixture of the images, since other detail was added along the seam.")]
-    return [tr("This follows from the mixture of the images, since the ground around is mixed too.")]
+_LEAST_TAKEN = 0.005  # of the window's finest detail
 
 
 def _is_at_seam(cause: str, explanation: Explanation | None) -> bool:
@@ -114,25 +100,10 @@ def _misfit_px(row: WindowRecord) -> float | None:
     return row.misfit if (row.misfit or 0) >= MIN_MISREGISTRATION_PX else None
 
 
-def _mixing_alone(row: WindowRecord, explanation: Explanation | None) -> list[str]:
-    """What the mixture would have taken where the mosaic lost more."""
-    profile = None if explanation is None else explanation.profile
-    if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
-        return [tr("The cause of the loss along the seam is unclear.")] * (
-            Cause.UNCLEAR in _causes_of(row) and is_lost_along_the_seam(row)
-        )
-    text = tr("Mixing alone would have taken {percent} % there.")
-    if Cause.UNCLEAR in _causes_of(row):
-        text = tr("Mixing alone would have taken {percent} % there; the cause of the rest is unclear.")
-    return [filled(text, percent=percent(max(1 - (profile.by_mixture or 0), 0.0)))]
-
-
 def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_the_seam: bool = False) -> str:
     """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
     causes = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
     at_seam = [cause for cause in causes if _is_at_seam(cause, explanation)]
-    if at_seam[:1] == [Cause.UNCLEAR]:  # which is told with what mixing took
-        causes, at_seam = [cause for cause in causes if cause not in at_seam], []
     causes = at_seam[:1] if along_the_seam else causes
     return "; ".join(filter(None, (_clause(cause, row, explanation, width) for cause in causes)))
 
@@ -183,7 +154,13 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     said = []
     if row.reference == SEAM and row.verdict:
         done = _done(row, explanation, _width(row, result, pixel_m))
-        said = [*_interval(row), _as_sentence(done), *by_mixture(explanation), *_mixing_alone(row, explanation)]
+        said = [*_interval(row), _as_sentence(done)]
+        profile = None if explanation is None else explanation.profile
+        if profile is not None and profile.measure is Measure.MIXTURE:
+            words = tr("This follows from the mixture of the images; the ground around can't tell it.")
+            if profile.added_beside >= _MUCH_ADDED:
+                words = tr("This follows from the mixture of the images, since other detail was added along the seam.")
+            said.append(words)
         said += _sharpness(row, explanation)
         is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
         if row.reason and not is_sentence:
@@ -192,7 +169,6 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
         if missing > _UNEXPLAINED and row.reason_code != OF_THE_REST:
             text = tr("{percent} % of the pixels match none of the given sources and are left out.")
             said.append(filled(text, percent=percent(missing)))
-        said += by_the_paper(row)
     return list(filter(None, said))
 
 
@@ -217,17 +193,10 @@ def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else _clause(row.cause, row, explanation, "")
     if ratio is None:
         return f"{verdict} {_as_sentence(because)}".rstrip()
-    values = {"percent": percent(ratio)}
+    left = tr("Detail at level 1 is {percent} % of the sources'")
     if row.composite_ratio is not None and abs(row.composite_ratio - ratio) > _APART:
-        values["composite"] = percent(row.composite_ratio)
         left = tr("Detail at level 1 is {percent} % of the sources' and {composite} % of their composite's")
-        if row.sources == 1:
-            left = tr("Detail at level 1 is {percent} % of the source's and {composite} % of the levelled source's")
-    elif row.sources == 1:
-        left = tr("Detail at level 1 is {percent} % of the source's")
-    else:
-        left = tr("Detail at level 1 is {percent} % of the sources'")
-    left = filled(left, **values)
+    left = filled(left, percent=percent(ratio), composite=percent(row.composite_ratio or 0.0))
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
@@ -320,7 +289,7 @@ def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
     said = f"{said} ({'; '.join(more)})" if more else said
     if is_along:
         text = tr("{said}, {lost} % of the rest along the seam")
-        return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0)))
+        return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0), 1 - MAX_SIGNIFICANT_KEPT))
     is_even = not _is_blurred(row) and (row.kept_1 or 0.0) >= _ALL_KEPT
     return filled(tr("{said}, no more along the seam"), said=said) if is_even else said
 
@@ -367,16 +336,6 @@ def _interval(row: WindowRecord) -> list[str]:
         text = tr("It is {times} times what an eye just sees at 2x.")
         said.append(filled(text, times=shown_number(row.visibility, 1)))
     return said
-
-
-def by_the_paper(row: WindowRecord) -> list[str]:
-    """What the paper's rule says of a loss where the seam says something else."""
-    if row.ratio is None or row.paper_verdict not in CLAIMS or row.verdict not in CLAIMS:
-        return []
-    if (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
-        return []  # the same, or two limits and no more
-    text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source.")
-    return [filled(text, verdict=verdict_word(row.paper_verdict), percent=percent(row.ratio))]
 
 
 def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:

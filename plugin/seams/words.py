@@ -42,8 +42,6 @@ VERDICTS = {
 }
 """Verdicts by the word that tables hold, the worst first; the empty one is that of a window not inspected."""
 LOSSES = ("significant", "reduced")
-CLAIMS = (*LOSSES, "preserved")
-"""Verdicts that say whether detail was lost, the worst first."""
 
 
 def verdict_word(verdict: str) -> str:

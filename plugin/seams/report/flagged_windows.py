@@ -14,14 +14,14 @@ from ...imagery.errors import Message
 from ...imagery.limits import judged_band
 from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
-from ...toolkit.translation import filled, formatted, percent, sentence, shown_number, tr
+from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour, longer_side_m
 from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
-from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord, contrast_of
-from ..window_summary import by_the_paper, judged_words, painted_width_m, told_cause, window_sentence, window_why
+from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord
+from ..window_summary import judged_words, painted_width_m, told_cause, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -176,17 +176,8 @@ class WindowSections:
             words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
             facts += [filled(words, cause=cause_word(cause)), cause_sentence(cause)]
         facts += [filled(tr("Observer: {word}."), word=observer_word(record.observer) or tr("not judged"))]
-        paper = paper_words(record)
-        if paper and not by_the_paper(record):
+        if paper := paper_words(record):
             facts.append(f"{paper[:1].upper()}{paper[1:]}.")
-        contrast = record.contrast
-        if contrast is None:
-            contrast = contrast_of(self._request.pairs.get(record.window_id, ()))
-        if contrast is not None:
-            facts.append(filled(tr("Absolute contrast at level 1: {percent} %."), percent=percent(contrast)))
-        if record.unclear_share is not None:
-            words = tr("Pixels where no source wins clearly: {percent} %.")
-            facts.append(filled(words, percent=percent(record.unclear_share)))
         yield " ".join(filter(None, facts))
 
 

@@ -104,7 +104,6 @@ def test_a_cause_has_its_words(qgis_app: QgsApplication, cause: str, words: str,
     [
         ({"composite_ratio": 0.62}, "Detail at level 1 is 38 % of the sources' and 62 % of their composite's; the"),
         ({"composite_ratio": None}, "Detail at level 1 is 38 % of the sources'; the mosaic is"),
-        ({"sources": 1}, "Detail at level 1 is 38 % of the source's; the mosaic is"),
         ({"verdict": "reduced"}, "Reduced. Detail at level 1 is 38 % of the sources'; the mosaic is blurred."),
         ({"verdict": "preserved"}, "Preserved. Detail at level 1 is 38 % of the sources'; the mosaic is blurred."),
         ({"verdict": "preserved", "cause": "none"}, "Preserved. Detail at level 1 is 38 % of the sources'."),

@@ -81,13 +81,10 @@ class CurvesPanel(ChartPanel):
         result, missing = shown_window(self._session)
         if live is not None:
             size = {"columns": live.window.width, "rows": live.window.height}
-            words = tr("Live: {columns} x {rows} px") if self._session.piece is None else tr(
-                "Window around the piece: {columns} x {rows} px"
-            )
-            self._draw(live.clips, filled(words, **size))
+            self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
             self._save.offer(None)
         elif result is not None:
-            chart = self._draw(result, _title(self._session, result))
+            chart = self._draw(result, filled(tr("Window {number}"), number=result.window_id))
             self._save.offer(curves_picture(f"window_{result.window_id}_curves", chart))
         else:
             self._show_no_curves(missing)
@@ -137,16 +134,7 @@ def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
     return None, _why_nothing(session, selected)
 
 
-def _title(session: Session, result: WindowCurves) -> str:
-    """The window that is drawn."""
-    text = filled(tr("Window {number}"), number=result.window_id)
-    row = session.row(session.selected()[0])
-    return text + tr(", out of date: inspect it again") if row is not None and row.stale else text
-
-
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
-    if not selected and session.piece is not None:
-        return tr("There are no curves where the window around the piece has pixels without a value.")
     if not selected:
         return tr("Select a window in the table or on the map, or draw one.")
     if len(selected) > 1:
@@ -214,7 +202,8 @@ class ProfilePanel(ChartPanel):
             self.show_profile(ShownProfile(profile, pixel_m, min_kept, frozenset({1}), result.ground_left, window_m))
         else:
             result = None
-            self._text.setText(self._why_nothing(selected))
+            several = tr("Select one window to see its seam profile.")
+            self._text.setText(several if len(selected) > 1 else "")  # of a single one its sentence says why
             self._pages.setCurrentWidget(self._text)
             self._say()
         self._offer(result)
@@ -237,17 +226,6 @@ class ProfilePanel(ChartPanel):
     def _refresh(self) -> None:
         if self.isVisible():
             self.refresh()
-
-    def _why_nothing(self, selected: list[int]) -> str:
-        """Words that stand neither in the place of the curves nor in the window's sentence."""
-        if len(selected) > 1:
-            return tr("Select one window to see its seam profile.")
-        result = self._session.result(selected[0]) if selected else None
-        if result is None or result.explanation is None or result.judgement.reason is not None:
-            return ""
-        if not result.explanation.has_seam:
-            return tr("There is no seam in the window.")
-        return tr("There is too little ground around the seam to compare with. Take a larger window.")
 
     def _offer(self, result: WindowResult | None) -> None:
         """What can be saved from now on."""

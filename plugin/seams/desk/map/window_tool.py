@@ -184,9 +184,9 @@ class WindowTool(DrawingTool):
 
     def _draft(self) -> _Draft | None:
         """None without mosaic, or where the map has no place on it."""
-        grid = self._session.mosaic_grid()
+        grid, layer = self._session.mosaic_grid(), self._session.mosaic_layer()
         point = self._on_mosaic(self._cursor) if self._cursor is not None else None
-        if grid is None or point is None:
+        if grid is None or layer is None or self._cursor is None or point is None:
             return None
         if self._is_drag and self._anchor is not None:
             (x1, x2), (y1, y2) = (sorted(pair) for pair in zip(self._anchor, point))
@@ -195,7 +195,8 @@ class WindowTool(DrawingTool):
                 return self._accepted(grid, snap_window(grid, extent, self._session.inputs.levels))
             except WindowError as error:
                 return _Draft(extent, None, sentence(error.message), OutlineTone.REFUSED)
-        seam_point = self._session.seam_point_near(*point, self._seam_reach())
+        reach = reach_of(self.canvas(), self._cursor, _SEAM_REACH_PX, layer.crs())
+        seam_point = self._session.seam_point_near(*point, reach)
         centre = seam_point or point
         try:
             return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point)
@@ -206,7 +207,12 @@ class WindowTool(DrawingTool):
         block = self._session.block()
         sources = 0 if block is None else len(block.sources_over(window))
         tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
-        text = described(grid, window) if sources else f"{described(grid, window)}, {tr('no source lies there')}"
+        width, height = window.width * grid.pixel_width, window.height * grid.pixel_height
+        spans = {"width": shown_metres(width * grid.metres_x), "height": shown_metres(height * grid.metres_y)}
+        text = tr("{width} x {height} m, {columns} x {rows} px")
+        if not sources:
+            text = tr("{width} x {height} m, {columns} x {rows} px, no source lies there")
+        text = filled(text, **spans, columns=window.width, rows=window.height)
         return _Draft(grid.window_extent(window), window, text, tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
@@ -217,15 +223,14 @@ class WindowTool(DrawingTool):
         place = transformed_point(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
         return (place.x(), place.y()) if place is not None else None
 
-    def _seam_reach(self) -> float:
-        """How near a seam counts as near, in the mosaic's units."""
-        assert self._cursor is not None
-        reach = _SEAM_REACH_PX * self.canvas().logicalDpiX() / 96 * self.canvas().mapUnitsPerPixel()
-        beside = QgsPointXY(self._cursor.x() + reach, self._cursor.y())
-        here, there = self._on_mosaic(self._cursor), self._on_mosaic(beside)
-        if here is None or there is None:
-            return 0.0
-        return float(((here[0] - there[0]) ** 2 + (here[1] - there[1]) ** 2) ** 0.5)
+
+def reach_of(canvas: QgsMapCanvas, point: QgsPointXY, pixels: int, crs: QgsCoordinateReferenceSystem) -> float:
+    """How far so many pixels of a screen of 96 dpi reach beside a point of the map, in a system's units; 0 where that
+    has no such place."""
+    map_crs = canvas.mapSettings().destinationCrs()
+    beside = QgsPointXY(point.x() + pixels * canvas.logicalDpiX() / 96 * canvas.mapUnitsPerPixel(), point.y())
+    here, there = (transformed_point(place, map_crs, crs) for place in (point, beside))
+    return 0.0 if here is None or there is None else float(here.distance(there))
 
 
 def clicked_window(grid: Grid, centre: Point, inputs: Inputs) -> PixelWindow:
@@ -270,14 +275,6 @@ def _distance(row: WindowRecord, x: float, y: float) -> float:
     assert row.extent is not None
     xmin, ymin, xmax, ymax = row.extent
     return ((xmin + xmax) / 2 - x) ** 2 + ((ymin + ymax) / 2 - y) ** 2
-
-
-def described(grid: Grid, window: PixelWindow) -> str:
-    """``102.4 x 102.4 m, 1024 x 1024 px``."""
-    width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
-    size = tr("{width} x {height} m, {columns} x {rows} px")
-    spans = {"width": shown_metres(width), "height": shown_metres(height)}
-    return filled(size, **spans, columns=window.width, rows=window.height)
 
 
 _REACH_PX = 8  # screen pixels at 96 dpi, from a line
@@ -396,13 +393,12 @@ class ClickedPieces(QObject):
         if not shown:
             return None
         layer, map_crs = shown[0], self._canvas.mapSettings().destinationCrs()
-        reach = _REACH_PX * self._canvas.logicalDpiX() / 96 * self._canvas.mapUnitsPerPixel()
-        beside = QgsPointXY(point.x() + reach, point.y())
-        here, there = (transformed_point(place, map_crs, layer.crs()) for place in (point, beside))
-        if here is None or there is None:
+        here = transformed_point(point, map_crs, layer.crs())
+        if here is None:
             return None
-        around, clicked = QgsRectangle(here, here).buffered(here.distance(there)), QgsGeometry.fromPointXY(here)
-        request = QgsFeatureRequest(around).setFlags(QgsFeatureRequest.Flag.ExactIntersect)
+        reach, clicked = reach_of(self._canvas, point, _REACH_PX, layer.crs()), QgsGeometry.fromPointXY(here)
+        request = QgsFeatureRequest(QgsRectangle(here, here).buffered(reach))
+        request.setFlags(QgsFeatureRequest.Flag.ExactIntersect)
         nearest = min(layer.getFeatures(request), key=lambda seam: seam.geometry().distance(clicked), default=None)
         if nearest is None:
             return None

@@ -100,11 +100,6 @@ def _observed(name: str, heading: str, explanation: str) -> TableColumn:
     )  # fmt: skip
 
 
-def _sure(name: str, heading: str, explanation: str) -> TableColumn:
-    percent = _plain(name, heading, explanation, _ALIGNED_RIGHT)
-    return percent._replace(text=lambda row: "" if percent.key(row) is None else f"{percent.key(row)} %")
-
-
 WINDOW_ID = _plain("window_id", QT_TR_NOOP("id"), QT_TR_NOOP("Number of the window."), _ALIGNED_RIGHT)
 COLUMNS = (
     WINDOW_ID,
@@ -142,8 +137,8 @@ COLUMNS = (
     _observed("observer", QT_TR_NOOP("observer"),
               QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification.")),
     _observed("observer_2", QT_TR_NOOP("observer 2"), QT_TR_NOOP("What the second operator saw at 2x magnification.")),
-    _sure("confidence", QT_TR_NOOP("sure"), QT_TR_NOOP("How sure the observer is, 0 to 100 %.")),
-    _sure("confidence_2", QT_TR_NOOP("sure 2"), QT_TR_NOOP("How sure the second operator is, 0 to 100 %.")),
+    _plain("confidence", QT_TR_NOOP("sure (%)"), QT_TR_NOOP("How sure the observer is."), _ALIGNED_RIGHT),
+    _plain("confidence_2", QT_TR_NOOP("sure 2 (%)"), QT_TR_NOOP("How sure the second operator is."), _ALIGNED_RIGHT),
     _plain("remark", QT_TR_NOOP("remark"), QT_TR_NOOP("The observer's remark.")),
     _plain("remark_2", QT_TR_NOOP("remark 2"), QT_TR_NOOP("The second operator's remark.")),
     _plain("reason", QT_TR_NOOP("reason"), QT_TR_NOOP("Why the mosaic could not be compared with a source.")),

@@ -11,12 +11,12 @@ from qgis.gui import QgsFilterLineEdit
 from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAbstractItemView, QComboBox, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
-from ....imagery.statistics import FIRST, UNSURE, VISIBLE, Operator
+from ....imagery.statistics import FIRST, UNSURE, Operator
 from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, tr
 from ...measure.window_records import WindowRecord
 from ...window_summary import told_cause
-from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
+from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import WINDOW_ID, verdict_chip
 from .windows_table import WindowsModel, WindowsTable
 
@@ -65,11 +65,6 @@ class KindBox(QComboBox):
         self._add(tr("not judged"), partial(self._is_said, ""), tr("Windows that no observer has judged."))
         self._add(tr("not sure"), partial(self._is_said, UNSURE), tr("Windows where the observer was not sure."))
         self._add(tr("changed"), attrgetter("stale"), tr("Windows to be inspected again."))
-        differing = self.count()
-        self._add(tr("tool differs"), tool_and_observer_disagree,
-                  tr("Windows where the tool and an observer disagree."))
-        self._add(tr("operators differ"), operators_disagree, tr("Windows where the two operators disagree."))
-        self._telling = [*range(1, len(VERDICTS)), *range(differing, self.count())]  # what is hidden while blind
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(_LETTERS)  # the longest of its words would leave little room for the search
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
@@ -83,9 +78,10 @@ class KindBox(QComboBox):
 
     def set_blind(self, is_blind: bool) -> None:
         """Whether what was found is hidden, and with it the kinds that tell it."""
-        for place in self._telling:
+        telling = range(1, len(VERDICTS))
+        for place in telling:
             self.model().item(place).setEnabled(not is_blind)
-        if is_blind and self.currentIndex() in self._telling:
+        if is_blind and self.currentIndex() in telling:
             self.setCurrentIndex(0)
 
     def _add(self, text: str, test: Test, tip: str) -> None:
@@ -99,18 +95,6 @@ class KindBox(QComboBox):
 
 def _has_verdict(verdict: str, row: WindowRecord) -> bool:
     return row.verdict == verdict
-
-
-def tool_and_observer_disagree(row: WindowRecord) -> bool:
-    """Whether the tool flags what an observer does not see, or the other way round."""
-    flagged = row.verdict == "significant"
-    words = [word for word in (row.observer, row.observer_2) if word in ("visible", "invisible")]
-    return row.verdict in CLAIMS and any((word == VISIBLE) != flagged for word in words)
-
-
-def operators_disagree(row: WindowRecord) -> bool:
-    """Whether both looked and did not say the same."""
-    return bool(row.observer and row.observer_2) and row.observer != row.observer_2
 
 
 class WindowsPanel(QWidget):

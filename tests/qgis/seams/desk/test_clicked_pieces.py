@@ -80,12 +80,12 @@ def shown(desk: Desk, qgis_canvas: QgsMapCanvas, tmp_path: Path) -> Iterator[Map
     settle()
 
 
-@pytest.mark.parametrize(("column", "found"), [(256, "69 % of detail lost in 2.0 m"), (470, "43 % of detail lost")])
-def test_a_click_on_a_piece_says_what_was_found_and_offers_a_window(shown: Map, column: int, found: str) -> None:
+@pytest.mark.parametrize(("column", "said"), [(256, "69 % of detail lost in 2.0 m"), (470, "43 % of detail lost")])
+def test_a_click_on_a_piece_says_what_was_found_and_offers_a_window(shown: Map, column: int, said: str) -> None:
     """Beside ground without pixels a window that holds none of it."""
     session = shown.desk.session
     shown.click(column, 128)
-    assert found in shown.bar.sentence()
+    assert said in shown.bar.sentence()
     wait_until(lambda: session.live is not None, "for the charts")
     (mark,) = [item for item in shown.canvas.scene().items() if isinstance(item, QgsRubberBand) and item.size()]
     assert mark.asGeometry().equals(line((column, 0), (column, 256)))

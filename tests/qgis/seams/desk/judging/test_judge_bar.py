@@ -28,7 +28,7 @@ DESCENDING = Qt.SortOrder.DescendingOrder
             [10],
             "Preserved. Along the seam as much of the finest detail is left as around it.",
         ),
-        ([12], "Significant loss. Detail at level 1 is 45 % of the source's. Changed since: inspect it again."),
+        ([12], "Significant loss. Detail at level 1 is 45 % of the sources'. Changed since: inspect it again."),
         ([1, 2, 12], "3 windows selected."),
     ],
 )

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import pytest
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
 from seam_inspector.plugin.imagery.statistics import FIRST
@@ -12,7 +11,7 @@ from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked
-from tests.qgis.seams.desk.windows_session import WindowsSession, columns_of, filter_to, window
+from tests.qgis.seams.desk.windows_session import WindowsSession, columns_of, window
 
 VERDICT = 1
 
@@ -161,31 +160,6 @@ def test_many_at_once_only_when_the_operator_says_so(judging: Judging, session: 
         "Judge 3 windows as visible?", "Write this into 3 windows?", "Take back the verdicts on 2 windows?"
     ]
     assert not {"judge", "note"}.intersection(call[0] for call in session.calls)
-
-
-# Disagreements
-
-
-def placed(fid: int, seam: int, station: float, kept: float, observer: str = "", observer_2: str = "") -> object:
-    verdict = "significant" if kept < 0.5 else "reduced"
-    row = window(fid, verdict, (0.9, 1, 1), observer, kept=(kept,))
-    return replace(row, seam_id=seam, station=station, observer_2=observer_2)
-
-
-PLACED = [
-    placed(1, 2, 5.0, 0.9, "visible", "visible"), placed(2, 1, 30.0, 0.4, "visible", "invisible"),
-    placed(3, 2, 1.0, 0.6, "invisible", "unsure"), placed(4, 1, 4.0, 0.3, "invisible"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("choice", "fids"), [("tool differs", [1, 2, 4]), ("operators differ", [2, 3]), ("not sure", [])]
-)
-def test_disagreements_as_a_filter(
-    panel: WindowsPanel, session: WindowsSession, choice: str, fids: list[int]
-) -> None:
-    session.put(PLACED)  # type: ignore[arg-type]
-    assert filter_to(panel, choice=choice) == fids
 
 
 # Two operators
