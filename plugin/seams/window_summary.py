@@ -8,7 +8,6 @@ import math
 from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
-from .charts.profile_painter import longer_side_m
 from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import (
     MAX_SIGNIFICANT_KEPT,
@@ -176,7 +175,7 @@ def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None
     if result is None:
         return seam_width_words(row.band_width, row.feather_width, pixel_m)
     pixel_m = result.ground_sample_distance
-    return seam_width_words(row.band_width, row.feather_width, pixel_m, longer_side_m(result.window, pixel_m))
+    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m)
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:

@@ -13,7 +13,6 @@ from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
 
 if TYPE_CHECKING:
-    from ...imagery.grids import PixelWindow
     from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 
 FARTHEST_PX = 400.0
@@ -59,11 +58,6 @@ class ShownProfile:
         """The main level's bin at a distance from the seam; None where nothing was measured."""
         away = distance_m / self.pixel_m
         return next((bin_ for bin_ in self.bins(self.main_level) if bin_.near_px <= away < bin_.far_px), None)
-
-
-def longer_side_m(window: PixelWindow | None, pixel_m: float) -> float:
-    """Longer side of a window, m; without end where it is not known."""
-    return inf if window is None else max(window.width, window.height) * pixel_m
 
 
 def level_colour(level: int, style: ChartStyle) -> str:

@@ -16,7 +16,7 @@ from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
-from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour, longer_side_m
+from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -163,8 +163,7 @@ class WindowSections:
         if result is None or result.profile is None:
             return shown_profile(record, request.profiles.get(record.window_id, ()), self._pixel_m, request.min_kept)
         levels = frozenset(bin_.level for bin_ in result.profile.bins)
-        pixel_m = result.ground_sample_distance
-        window_m = longer_side_m(result.window, pixel_m)
+        pixel_m, window_m = result.ground_sample_distance, result.longer_side_m
         return ShownProfile(result.profile, pixel_m, request.min_kept, levels, result.ground_left, window_m)
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:

@@ -15,7 +15,7 @@ from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
 from ...charts.curves_painter import Chart, ChartCurve, window_curves
-from ...charts.profile_painter import ShownProfile, bin_words, longer_side_m, summary_words
+from ...charts.profile_painter import ShownProfile, bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ class ProfilePanel(ChartPanel):
             if live.profile is not None:
                 min_kept = self._session.inputs.min_kept
                 pixel_m = live.ground_sample_distance
-                window_m = longer_side_m(live.window, pixel_m)
+                window_m = max(live.window.width, live.window.height) * pixel_m
                 self.show_profile(ShownProfile(live.profile, pixel_m, min_kept, window_m=window_m))
             self._offer(None)
             return
@@ -198,8 +198,8 @@ class ProfilePanel(ChartPanel):
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
             pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
-            window_m = longer_side_m(result.window, pixel_m)
-            self.show_profile(ShownProfile(profile, pixel_m, min_kept, frozenset({1}), result.ground_left, window_m))
+            window_m, ground_left = result.longer_side_m, result.ground_left
+            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left, window_m=window_m))
         else:
             result = None
             several = tr("Select one window to see its seam profile.")

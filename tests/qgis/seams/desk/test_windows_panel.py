@@ -148,13 +148,6 @@ def test_the_selected_window_stays_in_sight_where_its_verdict_moves_its_row(
     assert panel.table.is_in_sight(0)
 
 
-def test_the_first_click_on_the_loss_shows_the_worst_first(panel: WindowsPanel) -> None:
-    header = panel.table.horizontalHeader()
-    place = QPoint(header.sectionViewportPosition(LOSS) + header.sectionSize(LOSS) // 2, header.height() // 2)
-    QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert panel.ordered_fids() == [2, 1, 10, 3, 4, 12]
-
-
 # Selection
 
 

@@ -64,20 +64,6 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert session.selected() == [3]
 
 
-def test_next_and_back_judge_nothing(judging: Judging, session: WindowsSession) -> None:
-    session.put(five())
-    session.select([2])
-    judging.judge("unsure")
-    judging.go_on()
-    assert session.selected() == [4]
-    judging.step(-1)
-    judging.step(-1)
-    assert session.selected() == [2]
-    judging.go_on()
-    assert session.selected() == [3]
-    assert sum(bool(row.observer) for row in session.rows) == 1
-
-
 def test_judging_starts_with_the_first_of_the_order_where_no_window_is_selected(
     judging: Judging, panel: WindowsPanel, session: WindowsSession
 ) -> None:
@@ -112,6 +98,8 @@ def test_the_worst_places_are_gone_through_in_their_order_and_none_is_left_out(
     assert bar.sentence() == "All windows at the worst places are judged."
     judging.take_back()
     assert session.selected() == [6]
+    judging.step(-1)
+    assert session.selected() == [2]
     session.select([1])  # which was not asked for
     judging.judge("visible")
     assert session.selected() == [3]
