@@ -124,13 +124,13 @@ def draw(example: Example, folder: Path, path: Path) -> None:
     if result.loss is not None:
         side = result.loss.cell_px
         rows, columns = result.loss.kept.shape
-        clip.imshow(loss_rgba(result.loss.kept), extent=(0, columns * side, rows * side, 0), alpha=LOSS_OPACITY)
+        clip.imshow(loss_rgba(result.loss), extent=(0, columns * side, rows * side, 0), alpha=LOSS_OPACITY)
         clip.set(xlim=(0, pixels.shape[1]), ylim=(pixels.shape[0], 0))
     clip.axis("off")
     clip.set_title("the loss picture (L)", fontsize=10)
     draw_profile(profile, profile_of(result))
     profile.set_title("the seam profile", fontsize=10)
-    lines = window_curves(result, "luminance", {})
+    lines = window_curves(result, "luminance")
     draw_curves(curves, lines, imagery_limits.MAX_SIGNIFICANT_RATIO)
     curves.legend(fontsize=7.5, frameon=False)
     curves.set_title("the curves", fontsize=10)

@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="60"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="61"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -309,37 +309,37 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/messages.py" line="61"/>
         <source>No source covers the window; add the orthoimages that overlap it or choose another place.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo wybierz inne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="62"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="71"/>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>The mosaic has no variance in the window; choose a place with content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; wybierz miejsce, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>{name} has no variance in the window; choose a place with content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; wybierz miejsce, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <location filename="../plugin/seams/measure/messages.py" line="65"/>
         <source>No source has detail at level 1 in the window; choose a place with some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; wybierz miejsce, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="74"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="121"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -384,7 +384,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="208"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="205"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -414,7 +414,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="323"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="320"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -449,12 +449,12 @@
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="85"/>
+        <location filename="../plugin/seams/words.py" line="87"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="85"/>
+        <location filename="../plugin/seams/words.py" line="87"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
@@ -469,7 +469,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="171"/>
+        <location filename="../plugin/seams/window_summary.py" line="147"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -589,37 +589,32 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="126"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="87"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="128"/>
-        <source>, out of date: inspect it again</source>
-        <translation>, nieaktualne: skontroluj je ponownie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="135"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="139"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="140"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="145"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="149"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="142"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -639,12 +634,12 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -654,27 +649,27 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="59"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="60"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -694,42 +689,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="199"/>
+        <location filename="../plugin/seams/desk/dock.py" line="190"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="199"/>
+        <location filename="../plugin/seams/desk/dock.py" line="190"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="193"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="193"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="220"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="220"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="223"/>
+        <location filename="../plugin/seams/desk/dock.py" line="214"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="223"/>
+        <location filename="../plugin/seams/desk/dock.py" line="214"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -739,12 +734,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="252"/>
+        <location filename="../plugin/seams/desk/dock.py" line="243"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="386"/>
+        <location filename="../plugin/seams/desk/dock.py" line="377"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -774,52 +769,52 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="128"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="119"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="103"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="116"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="107"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="146"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="137"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="103"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="147"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="138"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -864,7 +859,7 @@
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/messages.py" line="55"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you can write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -872,11 +867,6 @@
         <location filename="../plugin/toolkit/messages.py" line="10"/>
         <source>The window layer {name} can&apos;t be edited; choose another one, or let a new one be made.</source>
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="47"/>
-        <source>Windows placed along the seams: {count}. Inspect them when you are ready.</source>
-        <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania. Skontroluj je, gdy zechcesz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="10"/>
@@ -944,7 +934,7 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="98"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="96"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -974,12 +964,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="131"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="132"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -2249,7 +2239,7 @@
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/messages.py" line="52"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
@@ -2264,27 +2254,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="127"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="124"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2294,42 +2284,42 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="133"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="178"/>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="166"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>{measure} does not reliably separate visible losses from others: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="189"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3228,72 +3218,72 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="114"/>
+        <location filename="../plugin/seams/words.py" line="116"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="125"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="139"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="157"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="166"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="252"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="115"/>
+        <location filename="../plugin/seams/words.py" line="117"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="147"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="156"/>
+        <location filename="../plugin/seams/words.py" line="158"/>
         <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="246"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="253"/>
+        <location filename="../plugin/seams/words.py" line="255"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3461,27 +3451,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="199"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="187"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="200"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="227"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="215"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3779,92 +3769,82 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="214"/>
+        <location filename="../plugin/seams/window_summary.py" line="197"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="216"/>
-        <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
-        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="218"/>
-        <source>Detail at level 1 is {percent} % of the source&apos;s</source>
-        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="220"/>
+        <location filename="../plugin/seams/window_summary.py" line="195"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="117"/>
+        <location filename="../plugin/seams/words.py" line="119"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="130"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="144"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="151"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="158"/>
+        <location filename="../plugin/seams/words.py" line="160"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="169"/>
+        <location filename="../plugin/seams/words.py" line="171"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="116"/>
+        <location filename="../plugin/seams/words.py" line="118"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="127"/>
+        <location filename="../plugin/seams/words.py" line="129"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="150"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="157"/>
+        <location filename="../plugin/seams/words.py" line="159"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="168"/>
+        <location filename="../plugin/seams/words.py" line="170"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="251"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="239"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="250"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="238"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -3988,7 +3968,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="225"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4073,22 +4053,22 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="213"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="214"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="253"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="117"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="108"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
@@ -4133,167 +4113,167 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="43"/>
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="44"/>
+        <location filename="../plugin/seams/window_summary.py" line="47"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="48"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="57"/>
+        <location filename="../plugin/seams/window_summary.py" line="60"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="61"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="181"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="192"/>
+        <location filename="../plugin/seams/words.py" line="194"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="193"/>
+        <location filename="../plugin/seams/words.py" line="195"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="196"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="195"/>
+        <location filename="../plugin/seams/words.py" line="197"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="203"/>
+        <location filename="../plugin/seams/words.py" line="205"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="204"/>
+        <location filename="../plugin/seams/words.py" line="206"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="205"/>
+        <location filename="../plugin/seams/words.py" line="207"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="208"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="211"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="212"/>
+        <location filename="../plugin/seams/words.py" line="214"/>
         <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="215"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="216"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="222"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="223"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="224"/>
+        <location filename="../plugin/seams/words.py" line="226"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="227"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="230"/>
+        <location filename="../plugin/seams/words.py" line="232"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="234"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="238"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="239"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="243"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="247"/>
+        <location filename="../plugin/seams/words.py" line="249"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>{name} covers {share:.0f} % of the window and is used there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="118"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; so the verdict is uncertain.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="192"/>
+        <location filename="../plugin/seams/measure/messages.py" line="184"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others are in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -4343,22 +4323,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="211"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="211"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4418,16 +4398,6 @@
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="260"/>
-        <source>Judge the {count} worst</source>
-        <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="260"/>
-        <source>Judge the worst</source>
-        <translation>Oceń najgorsze</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
@@ -4478,177 +4448,177 @@
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>&apos;{density}&apos; is not a density of a scan; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="199"/>
+        <location filename="../plugin/seams/measure/messages.py" line="191"/>
         <source>The picture of losses can&apos;t have cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="231"/>
+        <location filename="../plugin/seams/measure/messages.py" line="223"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it is not used.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="297"/>
+        <location filename="../plugin/seams/measure/messages.py" line="289"/>
         <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="298"/>
+        <location filename="../plugin/seams/measure/messages.py" line="290"/>
         <source>The scan starts from the beginning, as {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="303"/>
+        <location filename="../plugin/seams/measure/messages.py" line="295"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <location filename="../plugin/seams/measure/messages.py" line="297"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="307"/>
+        <location filename="../plugin/seams/measure/messages.py" line="299"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="309"/>
+        <location filename="../plugin/seams/measure/messages.py" line="301"/>
         <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start it again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i zacznij ponownie z tym samym plikiem wyniku, aby kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="313"/>
+        <location filename="../plugin/seams/measure/messages.py" line="305"/>
         <source>{path} can&apos;t be read any more ({error}); start it again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); zacznij ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="316"/>
+        <location filename="../plugin/seams/measure/messages.py" line="308"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="317"/>
+        <location filename="../plugin/seams/measure/messages.py" line="309"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/messages.py" line="310"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="320"/>
+        <location filename="../plugin/seams/measure/messages.py" line="312"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="321"/>
+        <location filename="../plugin/seams/measure/messages.py" line="313"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="322"/>
+        <location filename="../plugin/seams/measure/messages.py" line="314"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="338"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>There is too little texture along this piece, a source ends beside it, or none explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą, ortoobraz źródłowy kończy się obok albo żaden go nie wyjaśnia; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="323"/>
+        <location filename="../plugin/seams/measure/messages.py" line="315"/>
         <source>The scan was stopped; started again with the same output it continues from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="248"/>
+        <location filename="../plugin/seams/measure/messages.py" line="240"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="251"/>
+        <location filename="../plugin/seams/measure/messages.py" line="243"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="254"/>
+        <location filename="../plugin/seams/measure/messages.py" line="246"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="270"/>
+        <location filename="../plugin/seams/measure/messages.py" line="262"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="273"/>
+        <location filename="../plugin/seams/measure/messages.py" line="265"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="277"/>
+        <location filename="../plugin/seams/measure/messages.py" line="269"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="281"/>
+        <location filename="../plugin/seams/measure/messages.py" line="273"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="293"/>
+        <location filename="../plugin/seams/measure/messages.py" line="285"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="378"/>
+        <location filename="../plugin/seams/measure/messages.py" line="370"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="385"/>
+        <location filename="../plugin/seams/measure/messages.py" line="377"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="214"/>
+        <location filename="../plugin/seams/measure/messages.py" line="206"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="389"/>
+        <location filename="../plugin/seams/measure/messages.py" line="381"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="397"/>
+        <location filename="../plugin/seams/measure/messages.py" line="389"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="217"/>
+        <location filename="../plugin/seams/measure/messages.py" line="209"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="220"/>
+        <location filename="../plugin/seams/measure/messages.py" line="212"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="325"/>
+        <location filename="../plugin/seams/measure/messages.py" line="317"/>
         <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="341"/>
+        <location filename="../plugin/seams/measure/messages.py" line="333"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -4743,37 +4713,37 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="197"/>
+        <location filename="../plugin/seams/measure/messages.py" line="189"/>
         <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
         <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="200"/>
+        <location filename="../plugin/seams/measure/messages.py" line="192"/>
         <source>{name} is {value:g}; give {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="349"/>
+        <location filename="../plugin/seams/measure/messages.py" line="341"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="352"/>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
         <source>What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="210"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="199"/>
         <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="201"/>
+        <location filename="../plugin/seams/measure/messages.py" line="193"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
@@ -4783,32 +4753,32 @@
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="304"/>
+        <location filename="../plugin/seams/words.py" line="306"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="305"/>
+        <location filename="../plugin/seams/words.py" line="307"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="306"/>
+        <location filename="../plugin/seams/words.py" line="308"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="307"/>
+        <location filename="../plugin/seams/words.py" line="309"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="308"/>
+        <location filename="../plugin/seams/words.py" line="310"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -4818,19 +4788,9 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="176"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
-        <source>Absolute contrast at level 1: {percent} %.</source>
-        <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
-        <source>Pixels where no source wins clearly: {percent} %.</source>
-        <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/images_panel.py" line="196"/>
@@ -4848,42 +4808,42 @@
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="151"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4908,34 +4868,24 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="263"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="239"/>
+        <location filename="../plugin/seams/desk/judging.py" line="238"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="247"/>
+        <location filename="../plugin/seams/desk/judging.py" line="246"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="249"/>
+        <location filename="../plugin/seams/desk/judging.py" line="248"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
-        <source>tool differs</source>
-        <translation>inna ocena</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
-        <source>operators differ</source>
-        <translation>różne opinie</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/hard_cut.py" line="75"/>
@@ -4948,12 +4898,12 @@
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="92"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="95"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="201"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="204"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -4963,47 +4913,37 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="211"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="212"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="220"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="225"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="205"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="230"/>
-        <source>There is no seam in the window.</source>
-        <translation>W oknie nie ma linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="231"/>
-        <source>There is too little ground around the seam to compare with. Take a larger window.</source>
-        <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="248"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="245"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="354"/>
+        <location filename="../plugin/seams/desk/dock.py" line="345"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="363"/>
+        <location filename="../plugin/seams/desk/dock.py" line="354"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="360"/>
+        <location filename="../plugin/seams/desk/dock.py" line="351"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5013,7 +4953,7 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="164"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="169"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
@@ -5028,47 +4968,27 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
-        <source>sure</source>
-        <translation>pewność</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
-        <source>How sure the observer is, 0 to 100 %.</source>
-        <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="150"/>
-        <source>sure 2</source>
-        <translation>pewność 2</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="150"/>
-        <source>How sure the second operator is, 0 to 100 %.</source>
-        <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="151"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
@@ -5083,27 +5003,17 @@
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="69"/>
-        <source>Windows where the tool and an observer disagree.</source>
-        <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
-        <source>Windows where the two operators disagree.</source>
-        <translation>Okna, w których opinie obu operatorów się różnią.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="134"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="125"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="126"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -5148,52 +5058,42 @@
         <translation>{bits}-bitowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="52"/>
-        <source>Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are ready.</source>
-        <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca, które już miały swoje okno: {there}. Skontroluj okna, gdy zechcesz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="55"/>
-        <source>No window was placed: all {there} places along the seams have theirs already.</source>
-        <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/messages.py" line="9"/>
         <source>The windows moved beside the project, to {path}.</source>
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="400"/>
+        <location filename="../plugin/seams/measure/messages.py" line="392"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="401"/>
+        <location filename="../plugin/seams/measure/messages.py" line="393"/>
         <source>Does not overlap the mosaic.</source>
         <translation>Nie nachodzi na ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="402"/>
+        <location filename="../plugin/seams/measure/messages.py" line="394"/>
         <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
         <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="403"/>
+        <location filename="../plugin/seams/measure/messages.py" line="395"/>
         <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
         <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="404"/>
+        <location filename="../plugin/seams/measure/messages.py" line="396"/>
         <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
         <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="405"/>
+        <location filename="../plugin/seams/measure/messages.py" line="397"/>
         <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
         <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="406"/>
+        <location filename="../plugin/seams/measure/messages.py" line="398"/>
         <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
@@ -5235,12 +5135,12 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="254"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="316"/>
+        <location filename="../plugin/seams/desk/dock.py" line="307"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -6255,17 +6155,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="114"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="116"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="119"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="120"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -7489,12 +7389,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="229"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="229"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -7509,12 +7409,12 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="59"/>
+        <location filename="../plugin/seams/desk/judging.py" line="60"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7567,7 +7467,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="223"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="211"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -7739,12 +7639,12 @@
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="143"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -7818,27 +7718,27 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="272"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="212"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="187"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="186"/>
+        <location filename="../plugin/seams/words.py" line="188"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="187"/>
+        <location filename="../plugin/seams/window_summary.py" line="169"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7887,82 +7787,82 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="120"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="135"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="134"/>
+        <location filename="../plugin/seams/words.py" line="136"/>
         <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="161"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="174"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="198"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="217"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
+        <location filename="../plugin/seams/words.py" line="137"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="177"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="176"/>
+        <location filename="../plugin/seams/words.py" line="178"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="256"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="229"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="232"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="231"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/messages.py" line="99"/>
         <source>It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="136"/>
+        <location filename="../plugin/seams/window_summary.py" line="112"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="383"/>
+        <location filename="../plugin/seams/window_summary.py" line="359"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7977,7 +7877,7 @@
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="126"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
@@ -7986,22 +7886,22 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="378"/>
+        <location filename="../plugin/seams/window_summary.py" line="354"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="377"/>
+        <location filename="../plugin/seams/window_summary.py" line="353"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/messages.py" line="115"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="246"/>
+        <location filename="../plugin/seams/measure/messages.py" line="238"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -8016,17 +7916,17 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="300"/>
+        <location filename="../plugin/seams/measure/messages.py" line="292"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="319"/>
+        <location filename="../plugin/seams/measure/messages.py" line="311"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <location filename="../plugin/seams/measure/messages.py" line="326"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -8401,7 +8301,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -8421,22 +8321,22 @@
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="79"/>
+        <location filename="../plugin/seams/measure/messages.py" line="71"/>
         <source>No change from one source to another is found in the window; the verdict is based on sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/messages.py" line="276"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="280"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="345"/>
+        <location filename="../plugin/seams/measure/messages.py" line="337"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -8446,62 +8346,62 @@
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="121"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="122"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="331"/>
+        <location filename="../plugin/seams/window_summary.py" line="317"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="50"/>
+        <location filename="../plugin/seams/window_summary.py" line="53"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <location filename="../plugin/seams/window_summary.py" line="319"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="343"/>
+        <location filename="../plugin/seams/window_summary.py" line="329"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="346"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="330"/>
+        <location filename="../plugin/seams/window_summary.py" line="316"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="349"/>
+        <location filename="../plugin/seams/window_summary.py" line="335"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="382"/>
+        <location filename="../plugin/seams/window_summary.py" line="358"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="42"/>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="221"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -8776,77 +8676,77 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="431"/>
+        <location filename="../plugin/seams/measure/messages.py" line="423"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="434"/>
+        <location filename="../plugin/seams/measure/messages.py" line="426"/>
         <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="438"/>
+        <location filename="../plugin/seams/measure/messages.py" line="430"/>
         <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="449"/>
+        <location filename="../plugin/seams/measure/messages.py" line="441"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="451"/>
+        <location filename="../plugin/seams/measure/messages.py" line="443"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="452"/>
+        <location filename="../plugin/seams/measure/messages.py" line="444"/>
         <source>{name} lacks bands of the mosaic: {bands}.</source>
         <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="453"/>
+        <location filename="../plugin/seams/measure/messages.py" line="445"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="459"/>
+        <location filename="../plugin/seams/measure/messages.py" line="451"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="463"/>
+        <location filename="../plugin/seams/measure/messages.py" line="455"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="465"/>
+        <location filename="../plugin/seams/measure/messages.py" line="457"/>
         <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="467"/>
+        <location filename="../plugin/seams/measure/messages.py" line="459"/>
         <source>Mending was stopped; start it again with the same outputs to continue.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="469"/>
+        <location filename="../plugin/seams/measure/messages.py" line="461"/>
         <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="470"/>
+        <location filename="../plugin/seams/measure/messages.py" line="462"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="92"/>
+        <location filename="../plugin/seams/measure/messages.py" line="84"/>
         <source>{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="96"/>
+        <location filename="../plugin/seams/measure/messages.py" line="88"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
     </message>
@@ -8871,12 +8771,12 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="112"/>
+        <location filename="../plugin/seams/desk/dock.py" line="113"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="113"/>
+        <location filename="../plugin/seams/desk/dock.py" line="114"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -9004,7 +8904,7 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="347"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -9019,19 +8919,14 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="381"/>
+        <location filename="../plugin/seams/measure/messages.py" line="373"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="393"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="178"/>
-        <source>Main cause in the whole window: {cause}.</source>
-        <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
@@ -9124,7 +9019,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="262"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="264"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -9134,22 +9029,22 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="426"/>
+        <location filename="../plugin/seams/measure/messages.py" line="418"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="170"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="174"/>
+        <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>{measure}: all verdicts of one kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="259"/>
+        <location filename="../plugin/seams/measure/messages.py" line="251"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -9209,22 +9104,12 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
-        <source>This follows from the mixture of the images, since the ground around is mixed too.</source>
-        <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="78"/>
-        <source>This follows from the mixture of the images, since there is too little unmixed ground around.</source>
-        <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="80"/>
+        <location filename="../plugin/seams/window_summary.py" line="161"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="167"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
@@ -9476,7 +9361,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>{field} of {count} windows is not a possible measurement; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -9491,137 +9376,122 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="455"/>
+        <location filename="../plugin/seams/measure/messages.py" line="447"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="456"/>
+        <location filename="../plugin/seams/measure/messages.py" line="448"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="76"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
         <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="82"/>
+        <location filename="../plugin/seams/measure/messages.py" line="74"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
         <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="78"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="89"/>
+        <location filename="../plugin/seams/measure/messages.py" line="81"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the missing one.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="99"/>
+        <location filename="../plugin/seams/measure/messages.py" line="91"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="118"/>
-        <source>Mixing alone would have taken {percent} % there.</source>
-        <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="95"/>
+        <location filename="../plugin/seams/window_summary.py" line="86"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="97"/>
+        <location filename="../plugin/seams/window_summary.py" line="88"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="99"/>
+        <location filename="../plugin/seams/window_summary.py" line="90"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="93"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="120"/>
-        <source>Mixing alone would have taken {percent} % there; the cause of the rest is unclear.</source>
-        <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="293"/>
+        <location filename="../plugin/seams/window_summary.py" line="276"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="292"/>
+        <location filename="../plugin/seams/window_summary.py" line="275"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="315"/>
+        <location filename="../plugin/seams/window_summary.py" line="301"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="319"/>
+        <location filename="../plugin/seams/window_summary.py" line="305"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="115"/>
-        <source>The cause of the loss along the seam is unclear.</source>
-        <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="121"/>
+        <location filename="../plugin/seams/words.py" line="123"/>
         <source>blurred</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="124"/>
         <source>Leave out that filter.</source>
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="136"/>
+        <location filename="../plugin/seams/words.py" line="138"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="162"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="178"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="189"/>
+        <location filename="../plugin/seams/words.py" line="191"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
+        <location filename="../plugin/seams/words.py" line="202"/>
         <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="218"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -9631,32 +9501,32 @@
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="441"/>
+        <location filename="../plugin/seams/measure/messages.py" line="433"/>
         <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="445"/>
+        <location filename="../plugin/seams/measure/messages.py" line="437"/>
         <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="307"/>
+        <location filename="../plugin/seams/window_summary.py" line="293"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="261"/>
+        <location filename="../plugin/seams/window_summary.py" line="236"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="300"/>
+        <location filename="../plugin/seams/window_summary.py" line="284"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="304"/>
+        <location filename="../plugin/seams/window_summary.py" line="290"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9696,22 +9566,22 @@
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
+        <location filename="../plugin/seams/words.py" line="235"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="234"/>
+        <location filename="../plugin/seams/words.py" line="236"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="235"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="231"/>
+        <location filename="../plugin/seams/words.py" line="233"/>
         <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -9841,42 +9711,42 @@
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="410"/>
+        <location filename="../plugin/seams/measure/messages.py" line="402"/>
         <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="414"/>
+        <location filename="../plugin/seams/measure/messages.py" line="406"/>
         <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="418"/>
+        <location filename="../plugin/seams/measure/messages.py" line="410"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="203"/>
+        <location filename="../plugin/seams/measure/messages.py" line="195"/>
         <source>The format of SEAMS can&apos;t hold the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="226"/>
+        <location filename="../plugin/seams/measure/messages.py" line="218"/>
         <source>Nothing of the mosaic {name} could be read, so nothing was measured: {why}</source>
         <translation>Z ortofotomapy {name} nie udało się niczego odczytać, więc niczego nie zmierzono: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="228"/>
+        <location filename="../plugin/seams/measure/messages.py" line="220"/>
         <source>No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="368"/>
+        <location filename="../plugin/seams/measure/messages.py" line="360"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <location filename="../plugin/seams/measure/messages.py" line="365"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -9938,7 +9808,7 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="250"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
@@ -9968,7 +9838,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="253"/>
+        <location filename="../plugin/seams/desk/dock.py" line="244"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -9988,17 +9858,17 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="61"/>
+        <location filename="../plugin/seams/desk/judging.py" line="62"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="60"/>
+        <location filename="../plugin/seams/desk/judging.py" line="61"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
@@ -10013,12 +9883,12 @@
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="407"/>
+        <location filename="../plugin/seams/measure/messages.py" line="399"/>
         <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
@@ -10028,7 +9898,7 @@
         <translation>kod powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="97"/>
         <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
@@ -10120,12 +9990,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="116"/>
+        <location filename="../plugin/seams/desk/dock.py" line="117"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="116"/>
+        <location filename="../plugin/seams/desk/dock.py" line="117"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -10165,7 +10035,7 @@
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="138"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="139"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
@@ -10180,12 +10050,12 @@
         <translation>zbadanie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/messages.py" line="58"/>
         <source>{path} can&apos;t be written ({error}); make sure that the disk has room and no other program has the file open.</source>
         <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="139"/>
         <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save its edits, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
@@ -10215,12 +10085,12 @@
         <translation>{name} jest brany w układzie współrzędnych, który mu wybrano, {system}, a nie w układzie swojego pliku, {own}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>{name} has a different pixel size from the mosaic&apos;s and was resampled; it is shown but not used, as others have the mosaic&apos;s pixel size.</source>
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
+        <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -10250,72 +10120,72 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="99"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="255"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="258"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="322"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="322"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="325"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="325"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="179"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="183"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="211"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="217"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10340,27 +10210,27 @@
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="234"/>
+        <location filename="../plugin/seams/measure/messages.py" line="226"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="230"/>
         <source>Along {metres:.0f} m of the seamlines, which name no orthoimage, the mosaic shows the same one on both sides: there is no seam, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="242"/>
+        <location filename="../plugin/seams/measure/messages.py" line="234"/>
         <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="257"/>
+        <location filename="../plugin/seams/measure/messages.py" line="249"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="80"/>
+        <location filename="../plugin/seams/words.py" line="82"/>
         <source>at least {width}</source>
         <translation>co najmniej {width}</translation>
     </message>
@@ -10388,17 +10258,17 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="457"/>
+        <location filename="../plugin/seams/measure/messages.py" line="449"/>
         <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="460"/>
+        <location filename="../plugin/seams/measure/messages.py" line="452"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="461"/>
+        <location filename="../plugin/seams/measure/messages.py" line="453"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
@@ -10448,7 +10318,7 @@
         <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <location filename="../plugin/seams/measure/messages.py" line="111"/>
         <source>{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources&apos; file names in a field.</source>
         <translation>{path} nie zawiera na ortofotomapie wieloboku, który podaje swój ortoobraz; wskaż warstwę, w której są komórki ortofotomapy z nazwami plików ortoobrazów w polu.</translation>
     </message>
@@ -10458,32 +10328,27 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="137"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="141"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="250"/>
+        <location filename="../plugin/seams/desk/dock.py" line="241"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
-        <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
-        <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="140"/>
+        <location filename="../plugin/seams/window_summary.py" line="116"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10498,7 +10363,7 @@
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="57"/>
+        <location filename="../plugin/seams/measure/messages.py" line="49"/>
         <source>Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry or with xmin, ymin, xmax and ymax.</source>
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
@@ -10528,12 +10393,12 @@
         <translation>Część okna bez danych w jednym z rastrów wynosi {share:.1%}, a dopuszcza się {most:.0%}; wybierz inne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/messages.py" line="136"/>
         <source>The table {table} has no field &apos;{field}&apos;; choose the one that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="130"/>
+        <location filename="../plugin/seams/words.py" line="132"/>
         <source>Feather less.</source>
         <translation>Wtapiaj węziej.</translation>
     </message>
@@ -10543,7 +10408,7 @@
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="249"/>
+        <location filename="../plugin/seams/measure/messages.py" line="241"/>
         <source>{path} names no reference system, so it is taken in the mosaic&apos;s.</source>
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
@@ -10558,7 +10423,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="359"/>
+        <location filename="../plugin/seams/measure/messages.py" line="351"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
@@ -10712,27 +10577,22 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="286"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="283"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="52"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="55"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="274"/>
-        <source>no source lies there</source>
-        <translation>nie leży tam żaden ortoobraz</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="129"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="120"/>
         <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="120"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
@@ -10742,12 +10602,12 @@
         <translation>{name} wynosi {limit}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{measure}: no threshold is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="185"/>
+        <location filename="../plugin/seams/measure/messages.py" line="177"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
@@ -10757,7 +10617,7 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="422"/>
+        <location filename="../plugin/seams/measure/messages.py" line="414"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -10861,17 +10721,17 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; weź większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="69"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="70"/>
         <source>beyond {near} m: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="70"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="71"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="75"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
@@ -10891,7 +10751,7 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
@@ -10901,17 +10761,17 @@
         <translation>Badanie: łączenie bloków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="223"/>
+        <location filename="../plugin/seams/measure/messages.py" line="215"/>
         <source>None of the orthoimages can be used, for the reasons told before; fix that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/messages.py" line="255"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="267"/>
+        <location filename="../plugin/seams/measure/messages.py" line="259"/>
         <source>The geometry of no feature of the seamline layer can be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
@@ -10945,7 +10805,7 @@
         <translation>Okna według ocen, z ich numerami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="103"/>
+        <location filename="../plugin/seams/measure/messages.py" line="95"/>
         <source>Both orthoimages show the very same pixels along the seam, and not farther off: they were changed there, or are parts of a single image. Ask for the orthoimages as they were before the mosaic was made.</source>
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
@@ -11026,14 +10886,9 @@
         <translation>zachowane w kolejnych odcinkach, ze wschodu na zachód: {pieces}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="73"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="74"/>
         <source>{near} to {far} m: {kept} % kept</source>
         <translation>{near} do {far} m: zachowano {kept} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="133"/>
-        <source>There are no curves where the window around the piece has pixels without a value.</source>
-        <translation>Nie ma krzywych tam, gdzie okno wokół odcinka ma piksele bez wartości.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="62"/>
@@ -11041,12 +10896,7 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
-        <source>By the scan, this piece of seam: {finding} The curves are of the window around it.</source>
-        <translation>Według badania ten odcinek linii mozaikowania: {finding} Krzywe dotyczą okna wokół niego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All compared windows are judged; {rest}.</source>
         <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
     </message>
@@ -11071,21 +10921,16 @@
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="262"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="261"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="49"/>
-        <source>Windows placed along the seams: {count}. Some places have none; the log messages say why.</source>
-        <translation>Okna na liniach mozaikowania: {count}. W niektórych miejscach okna nie ma; dlaczego, mówią komunikaty dziennika.</translation>
     </message>
     <message>
         <source>F</source>
         <translation>U</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="69"/>
+        <location filename="../plugin/seams/desk/judging.py" line="72"/>
         <source>{count} not comparable or not inspected</source>
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
@@ -11150,7 +10995,7 @@
         <translation>z nich może zachować dość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="81"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="84"/>
         <source>Live: {columns} x {rows} px</source>
         <translation>Na żywo: {columns} × {rows} px</translation>
     </message>
@@ -11158,16 +11003,6 @@
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
         <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="13"/>
-        <source>No window there: parts of it have no pixels.</source>
-        <translation>Nie ma tam okna: części pikseli brak.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
-        <source>Places added: {count}; there already: {there}.</source>
-        <translation>Dodane miejsca: {count}; już były: {there}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
@@ -11195,22 +11030,22 @@
         <translation>uwaga do okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="142"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
         <source>Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="363"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.</source>
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <location filename="../plugin/seams/window_summary.py" line="92"/>
         <source>images {value} px apart</source>
         <translation>obrazy przesunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="93"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
     </message>
@@ -11437,6 +11272,61 @@
     <message>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest 100. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
+        <source>By the scan, this piece of seam: {finding}</source>
+        <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <source>All windows at the worst places are judged.</source>
+        <translation>Wszystkie okna w najgorszych miejscach są ocenione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="66"/>
+        <source>Worst places: {progress}</source>
+        <translation>Najgorsze miejsca: {progress}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="214"/>
+        <source>{width} x {height} m, {columns} x {rows} px, no source lies there</source>
+        <translation>{width} × {height} m, {columns} × {rows} px, nie leży tam żaden ortoobraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <source>No window there: parts of it have no pixels. Draw a smaller one beside the edge.</source>
+        <translation>Nie ma tam okna: jego części nie mają pikseli. Narysuj mniejsze, obok krawędzi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <source>Windows at the worst places: {count}; there already: {there}.</source>
+        <translation>Okna w najgorszych miejscach: {count}; już były: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <source>How sure the observer is.</source>
+        <translation>Jak pewny jest obserwator.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
+        <source>How sure the second operator is.</source>
+        <translation>Jak pewny jest drugi operator.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="47"/>
+        <source>Windows placed along the seams: {count}; there already: {there}.</source>
+        <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; już były: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <source>Main cause: {cause}.</source>
+        <translation>Główna przyczyna: {cause}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="159"/>
+        <source>This follows from the mixture of the images; the ground around can&apos;t tell it.</source>
+        <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
 </context>
 </TS>

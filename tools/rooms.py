@@ -34,8 +34,8 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4677, 0, 0),
-    "plugin/seams/measure": Measures(16974, 1, 0),
-    "plugin/seams": Measures(12999, 0, 0),
+    "plugin/seams/measure": Measures(16972, 1, 0),
+    "plugin/seams": Measures(12991, 0, 0),
     "plugin/acceptance": Measures(5392, 1, 0),
     "plugin/toolkit": Measures(4469, 0, 0),
     "plugin/noise": Measures(1959, 0, 0),

@@ -9,11 +9,15 @@ from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
 from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX, SHARPNESS_TOLERANCE
+from .measure.limits import (
+    MAX_SIGNIFICANT_KEPT,
+    MAX_SIGNIFICANT_SHARPNESS_SQUARED,
+    MIN_MISREGISTRATION_PX,
+    SHARPNESS_TOLERANCE,
+)
 from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
-    CLAIMS,
     LOSSES,
     brief_words,
     cause_clause,
@@ -21,7 +25,6 @@ from .words import (
     seam_width_words,
     to_do,
     verdict_sentence,
-    verdict_word,
 )
 
 if TYPE_CHECKING:
@@ -65,20 +68,8 @@ def _number_words(text: str, value: float | None) -> list[str]:
 
 _TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
 _FEW_M2 = 10.0
-_LEAST_TAKEN = 0.005  # of the window's finest detail
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
-
-
-def by_mixture(explanation: Explanation | None) -> list[str]:
-    """That what is kept was told by the images' mixture alone, and why."""
-    profile = None if explanation is None else explanation.profile
-    if profile is None or profile.measure is not Measure.MIXTURE:
-        return []
-    if profile.by_energy is None:
-        return [tr("This follows from the mixture of the images, since there is too little unmixed ground around.")]
-    if profile.added_beside >= _MUCH_ADDED:
-        return [tr("This follows from the mixture of the images, since other detail was added along the seam.")]
-    return [tr("This follows from the mixture of the images, since the ground around is mixed too.")]
+_LEAST_TAKEN = 0.005  # of the window's finest detail
 
 
 def _is_at_seam(cause: str, explanation: Explanation | None) -> bool:
@@ -108,25 +99,10 @@ def _misfit_px(row: WindowRecord) -> float | None:
     return row.misfit if (row.misfit or 0) >= MIN_MISREGISTRATION_PX else None
 
 
-def _mixing_alone(row: WindowRecord, explanation: Explanation | None) -> list[str]:
-    """What the mixture would have taken where the mosaic lost more."""
-    profile = None if explanation is None else explanation.profile
-    if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
-        return [tr("The cause of the loss along the seam is unclear.")] * (
-            Cause.UNCLEAR in _causes_of(row) and is_lost_along_the_seam(row)
-        )
-    text = tr("Mixing alone would have taken {percent} % there.")
-    if Cause.UNCLEAR in _causes_of(row):
-        text = tr("Mixing alone would have taken {percent} % there; the cause of the rest is unclear.")
-    return [filled(text, percent=percent(max(1 - (profile.by_mixture or 0), 0.0)))]
-
-
 def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_the_seam: bool = False) -> str:
     """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
     causes = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
     at_seam = [cause for cause in causes if _is_at_seam(cause, explanation)]
-    if at_seam[:1] == [Cause.UNCLEAR]:  # which is told with what mixing took
-        causes, at_seam = [cause for cause in causes if cause not in at_seam], []
     causes = at_seam[:1] if along_the_seam else causes
     return "; ".join(filter(None, (_clause(cause, row, explanation, width) for cause in causes)))
 
@@ -177,7 +153,13 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     said = []
     if row.reference == SEAM and row.verdict:
         done = _done(row, explanation, _width(row, result, pixel_m))
-        said = [*_interval(row), _as_sentence(done), *by_mixture(explanation), *_mixing_alone(row, explanation)]
+        said = [*_interval(row), _as_sentence(done)]
+        profile = None if explanation is None else explanation.profile
+        if profile is not None and profile.measure is Measure.MIXTURE:
+            words = tr("This follows from the mixture of the images; the ground around can't tell it.")
+            if profile.added_beside >= _MUCH_ADDED:
+                words = tr("This follows from the mixture of the images, since other detail was added along the seam.")
+            said.append(words)
         said += _sharpness(row, explanation)
         is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
         if row.reason and not is_sentence:
@@ -186,12 +168,14 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
         if missing > _UNEXPLAINED and row.reason_code != OF_THE_REST:
             text = tr("{percent} % of the pixels match none of the given sources and are left out.")
             said.append(filled(text, percent=percent(missing)))
-        said += by_the_paper(row)
     return list(filter(None, said))
 
 
 def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
-    return seam_width_words(row.band_width, row.feather_width, result.ground_sample_distance if result else pixel_m)
+    if result is None:
+        return seam_width_words(row.band_width, row.feather_width, pixel_m)
+    pixel_m = result.ground_sample_distance
+    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m)
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
@@ -208,17 +192,10 @@ def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else _clause(row.cause, row, explanation, "")
     if ratio is None:
         return f"{verdict} {_as_sentence(because)}".rstrip()
-    values = {"percent": percent(ratio)}
+    left = tr("Detail at level 1 is {percent} % of the sources'")
     if row.composite_ratio is not None and abs(row.composite_ratio - ratio) > _APART:
-        values["composite"] = percent(row.composite_ratio)
         left = tr("Detail at level 1 is {percent} % of the sources' and {composite} % of their composite's")
-        if row.sources == 1:
-            left = tr("Detail at level 1 is {percent} % of the source's and {composite} % of the levelled source's")
-    elif row.sources == 1:
-        left = tr("Detail at level 1 is {percent} % of the source's")
-    else:
-        left = tr("Detail at level 1 is {percent} % of the sources'")
-    left = filled(left, **values)
+    left = filled(left, percent=percent(ratio), composite=percent(row.composite_ratio or 0.0))
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
@@ -228,10 +205,10 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
     return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not _is_blurred(row)
 
 
-def painted_width_m(row: WindowRecord) -> float:
+def painted_width_m(row: WindowRecord, result: WindowResult | None) -> float:
     """How far across its seam the loss of a window is painted: as wide as it is told. 0 where more took detail than the
     seam, or nothing is told, and all that was measured is painted."""
-    is_alone = is_lost_along_the_seam(row) and not any(loss_words(cause, 0.0) for cause in _causes_of(row))
+    is_alone = is_lost_along_the_seam(row) and not _is_whole_soft(row, explanation_of(row, result))
     return max(row.band_width or 0.0, row.feather_width or 0.0) if is_alone else 0.0
 
 
@@ -251,33 +228,39 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
-    is_along, whole = is_lost_along_the_seam(row), 1 - _kept_in_whole(row)
-    is_whole = not is_along or _is_whole_soft(row, explanation)
-    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)] * is_along
-    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)] * is_whole
-    lost = 1 - (row.kept_1 or 0.0)
-    if _is_seam_decisive(row, explanation):
-        said, causes = _lost_along(lost, width), at_seam
-        in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
-        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(cause) for cause in in_whole[:1])
-    else:
-        said, causes, in_all = _lost_in_whole(row, whole, is_along), in_whole, []
-        clause = "".join(brief_words(cause) for cause in in_whole[:1])
-    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole), *in_all]
+    is_along, causes = is_lost_along_the_seam(row), _told_causes(row, explanation)
+    said, in_all = _lost_in_whole(row, 1 - _kept_in_whole(row), is_along), []
+    if _is_seam_decisive(row):
+        said = _lost_along(1 - (row.kept_1 or 0.0), width)
+        if row.loss is not None and _is_whole_soft(row, explanation):
+            in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
+    clause = "".join(brief_words(cause) for cause in causes[:1])
+    if causes and _is_at_seam(causes[0], explanation):
+        clause = _brief_at_seam(causes, row)
+    return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]
 
 
-def _is_seam_decisive(row: WindowRecord, explanation: Explanation | None) -> bool:
+def _is_seam_decisive(row: WindowRecord) -> bool:
     """Whether the seam took the more, or made the verdict."""
     is_more = (row.kept_1 or 0.0) <= _kept_in_whole(row)
-    is_alone = row.verdict == "significant" or not _is_whole_soft(row, explanation)
+    is_alone = row.verdict == "significant" or not _is_whole_soft(row, None)
     return is_lost_along_the_seam(row) and (is_alone or is_more)
 
 
-def named_causes(row: WindowRecord) -> list[str]:
-    """The cause that the sentence tells first, and the main one of the window where that is another."""
-    causes = [cause for cause in _causes_of(row) if _is_at_seam(cause, None)]
-    at_seam = causes[:1] if row.reference == SEAM and _is_seam_decisive(row, None) else []
-    return list(dict.fromkeys([*at_seam, row.cause]))
+def _told_causes(row: WindowRecord, explanation: Explanation | None) -> list[str]:
+    """What took the detail that the sentence tells of, along the seam or in the whole, the strongest first: the first
+    is named everywhere, and what can be done is about that."""
+    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)]
+    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)]
+    if _is_seam_decisive(row):
+        return at_seam or in_whole * _is_whole_soft(row, None)
+    return in_whole
+
+
+def told_cause(row: WindowRecord) -> str:
+    """The one cause that is named of a window: the one that its sentence tells first."""
+    is_of_loss = row.reference == SEAM and row.verdict in LOSSES
+    return next(iter(_told_causes(row, None) if is_of_loss else ()), row.cause)
 
 
 def _causes_of(row: WindowRecord) -> list[str]:
@@ -292,17 +275,20 @@ def _lost_along(lost: float, width: str) -> str:
     text = tr("{lost} % of detail lost in {width} m along the seam") if width else tr(
         "{lost} % of detail lost beside the seam"
     )
-    return filled(text, lost=percent(lost), width=width)
+    return filled(text, lost=percent(lost, 1 - MAX_SIGNIFICANT_KEPT), width=width)
 
 
 def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
     """``is_along``: more of it was lost along the seam, of the ground around it."""
-    said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost))
-    if row.loss is not None:
-        said = f"{said} ({shown_area(row.loss)})"
+    limit = 1 - MAX_SIGNIFICANT_SHARPNESS_SQUARED
+    said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost, limit))
+    more = [] if row.loss is None else [shown_area(row.loss)]
+    if row.verdict == "reduced" and lost > 1 - MAX_SIGNIFICANT_KEPT:  # which would be significant along a seam
+        more.append(filled(tr("limit {percent} %"), percent=percent(limit)))
+    said = f"{said} ({'; '.join(more)})" if more else said
     if is_along:
         text = tr("{said}, {lost} % of the rest along the seam")
-        return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0)))
+        return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0), 1 - MAX_SIGNIFICANT_KEPT))
     is_even = not _is_blurred(row) and (row.kept_1 or 0.0) >= _ALL_KEPT
     return filled(tr("{said}, no more along the seam"), said=said) if is_even else said
 
@@ -313,11 +299,11 @@ def _done_about(row: WindowRecord, causes: list[str]) -> list[str]:
         return []  # to inspect it again
     if row.reason_code == MAY_BE_SIGNIFICANT:
         return [tr("It may be more: judge by eye.")]
-    if Cause.MISSING_SOURCE in _causes_of(row):
+    if not causes and Cause.MISSING_SOURCE in _causes_of(row):
         return [to_do(Cause.MISSING_SOURCE)]
     if causes[:1] == [Cause.UNCLEAR]:
         return [tr("Judge by eye.")]
-    return [words for words in map(to_do, causes) if words][:1]
+    return [to_do(cause) for cause in causes[:1]]
 
 
 def _has_no_kept(row: WindowRecord) -> bool:
@@ -349,16 +335,6 @@ def _interval(row: WindowRecord) -> list[str]:
         text = tr("It is {times} times what an eye just sees at 2x.")
         said.append(filled(text, times=shown_number(row.visibility, 1)))
     return said
-
-
-def by_the_paper(row: WindowRecord) -> list[str]:
-    """What the paper's rule says of a loss where the seam says something else."""
-    if row.ratio is None or row.paper_verdict not in CLAIMS or row.verdict not in CLAIMS:
-        return []
-    if (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
-        return []  # the same, or two limits and no more
-    text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source.")
-    return [filled(text, verdict=verdict_word(row.paper_verdict), percent=percent(row.ratio))]
 
 
 def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:

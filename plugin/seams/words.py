@@ -7,7 +7,7 @@ colours for the windows' pictures, the map and the scan, so that all compare.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import log
+from math import inf, log
 from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -42,8 +42,6 @@ VERDICTS = {
 }
 """Verdicts by the word that tables hold, the worst first; the empty one is that of a window not inspected."""
 LOSSES = ("significant", "reduced")
-CLAIMS = (*LOSSES, "preserved")
-"""Verdicts that say whether detail was lost, the worst first."""
 
 
 def verdict_word(verdict: str) -> str:
@@ -66,17 +64,21 @@ _LEAST_WIDTH_M = 0.05  # less is 0.0 m
 _ENDLESS = 0.999  # of the widest feather: layers may keep a few digits only
 
 
-def seam_width_words(band_m: float | None, feather_m: float | None, pixel_m: float | None = None) -> str:
+def seam_width_words(
+    band_m: float | None, feather_m: float | None, pixel_m: float | None = None, window_m: float = inf
+) -> str:
     """How wide a seam took detail, metres; empty for a cut. It is the one width of a seam that is told anywhere.
 
     A feather loses detail from end to end of its mixture, another loss in its band: the wider one. ``pixel_m``: the
-    mosaic's pixel size, by which a feather is known that does not end as far as one is looked for.
+    mosaic's pixel size, by which a feather is known that does not end as far as one is looked for. ``window_m``: the
+    longer side of the window that is judged, beyond which ground was read and nothing is told.
     """
     metres = max(band_m or 0.0, feather_m or 0.0)
     if metres < _LEAST_WIDTH_M:
         return ""
     is_endless = pixel_m is not None and (feather_m or 0.0) > _ENDLESS * WIDEST_FEATHER_PX * pixel_m
-    width = shown_number(metres, 1)
+    is_endless = is_endless or metres > window_m + _LEAST_WIDTH_M
+    width = shown_number(min(metres, window_m), 1)
     return filled(tr("at least {width}"), width=width) if is_endless else width
 
 
@@ -312,7 +314,7 @@ is even ground and has none."""
 LOSS_OPACITY = 0.6
 """With which pictures of lost detail are painted: what lies beneath is what is judged."""
 _NO_COLOUR = (0, 0, 0, 0)
-_SPREAD_PX = 24  # as far as a picture's smoothing carries a loss
+_SPREAD_PX = 80  # as far as a picture's smoothing carries a loss where the ground is rough
 
 
 def loss_rgba(loss: LossPicture, width_px: float = 0.0) -> np.ndarray:

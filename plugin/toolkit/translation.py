@@ -50,13 +50,13 @@ def formatted(value: float, spec: str) -> str:
     return local_digits(format(value, spec))
 
 
-def percent(ratio: float) -> str:
-    """Whole per cents; decimals where they would hide that a ratio is not 1, or is small and not 0."""
-    if 0 < ratio < 0.1:
-        shown = max(100 * ratio, _LEAST_PERCENT)
-        return shown_number(shown, decimals_beside(shown, [0], 1))
+def percent(ratio: float, *limits: float) -> str:
+    """Whole per cents; decimals where they would hide that a ratio is not 1, small and not 0, or beyond a limit."""
+    bounds, least = [100 * limit for limit in limits], 1 if 0.99 < ratio < 1.01 and ratio != 1 else 0
     shown = min(100 * ratio, 99.9) if ratio < 1 else 100 * ratio
-    return shown_number(shown, 1 if 0.99 < ratio < 1.01 and ratio != 1 else 0)
+    if 0 < ratio < 0.1:
+        shown, bounds, least = max(100 * ratio, _LEAST_PERCENT), [0, *bounds], 1
+    return shown_number(shown, decimals_beside(shown, bounds, least))
 
 
 def decimals_beside(value: float, limits: Iterable[float], least: int = 0) -> int:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
 from string import ascii_letters, digits
@@ -78,12 +78,10 @@ def share_range(chart: Chart) -> tuple[float, float]:
     return round_below(lowest), 1.25
 
 
-def window_curves(
-    result: WindowCurves, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
-) -> list[ChartCurve]:
+def window_curves(result: WindowCurves, band: str, reference: str = REFERENCES[0]) -> list[ChartCurve]:
     """The curves of one window and band, the mosaic's first, the sources' composite last.
 
-    ``colours``: numbers by file name. ``reference``: what the verdict is taken against, as in ``Settings``.
+    ``reference``: what the verdict is taken against, as in ``Settings``.
     """
     curves = []
     seen: Counter[str] = Counter()
@@ -98,8 +96,7 @@ def window_curves(
             label, is_reference = tr("composite"), reference == clip.role
             curves.append(ChartCurve(label, False, curve.detail, curve.background, None, True, is_reference))
             continue
-        colour = None if is_mosaic else colours.get(clip.raster)
-        curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
+        curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background))
     return curves
 
 
@@ -123,7 +120,7 @@ def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, 
     if curve.is_mosaic:
         return style.text, Qt.PenStyle.SolidLine
     if curve.is_composite:
-        return style.text, COMPOSITE_DASHES
+        return style.quiet, COMPOSITE_DASHES
     colour, line = source_look(number if curve.colour is None else curve.colour, style)
     return colour, _PENS[line]
 

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import floor, isfinite, isinf, log10
+from math import floor, inf, isfinite, isinf, log10
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
@@ -36,6 +36,7 @@ class ShownProfile:
     min_kept: float  # share at or below which a loss is significant
     levels: frozenset[int] = frozenset({1})  # which are drawn; the finest of them with its interval
     ground_left: float = 1.0  # what the ground around has of the sources' finest detail
+    window_m: float = inf  # longer side of the window that it is of
 
     def bins(self, level: int) -> list[ProfileBin]:
         """Bins of one level, from the seam outwards."""
@@ -75,7 +76,8 @@ def bin_words(shown: ShownProfile, bin_: ProfileBin) -> str:
         text = tr("{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image")
     return filled(
         text, near=shown_number(bin_.near_px * shown.pixel_m), far=shown_number(bin_.far_px * shown.pixel_m),
-        kept=percent(bin_.kept), low=percent(bin_.low), high=percent(bin_.high), other=percent(bin_.mixture or 0),
+        kept=percent(bin_.kept, shown.min_kept), low=percent(bin_.low), high=percent(bin_.high),
+        other=percent(bin_.mixture or 0),
     )  # fmt: skip
 
 
@@ -87,7 +89,8 @@ def summary_words(shown: ShownProfile) -> str:
     if profile.kept[0] is None:
         return ""
     width = seam_width_words(
-        profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m
+        profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m,
+        shown.window_m,
     )
     text = tr("{kept} % kept ({low} to {high} %)")
     if shown.ground_left < 1 and profile.is_of_the_ground:
@@ -95,8 +98,8 @@ def summary_words(shown: ShownProfile) -> str:
     elif profile.high < 1 and width:
         text = tr("{kept} % kept ({low} to {high} %) in {width} m")
     return filled(
-        text, kept=percent(profile.kept[0]), low=percent(profile.low), high=percent(profile.high), width=width,
-        left=percent(shown.ground_left),
+        text, kept=percent(profile.kept[0], shown.min_kept), low=percent(profile.low), high=percent(profile.high),
+        width=width, left=percent(shown.ground_left),
     )
 
 

@@ -25,7 +25,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import Qt, QUrl
-from qgis.PyQt.QtGui import QColor, QDesktopServices, QFont, QPalette
+from qgis.PyQt.QtGui import QDesktopServices, QFont
 from qgis.PyQt.QtWidgets import (
     QDialog,
     QDoubleSpinBox,
@@ -45,10 +45,10 @@ from qgis.PyQt.QtWidgets import (
 
 from ...imagery.errors import SettingsError
 from ...imagery.messages import system_reason
-from ...toolkit.desk.theme import readable_palette
 from ...toolkit.desk.widgets import plain_tip
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import layer_path
+from ...toolkit.project_settings import load_settings, save_settings
 from ...toolkit.translation import filled, sentence, tr
 from ..tables.scan_layers import SEAMS
 from ..words import verdict_colour
@@ -106,9 +106,10 @@ def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, Path]:
     return files
 
 
+_KEY = "acceptance"  # of what the project keeps of the page
 _HEAD = ("TITLE", "CONTRACT", "PRODUCER", "CLIENT")
 _LIMITS = ("MAX_SHARE", "MAX_RUN", "MIN_MEASURED")
-"""Parameters of the algorithm, which has their words and what was given last."""
+"""Parameters of the algorithm, which has their words and defaults."""
 _COLOURS = {"accepted": "preserved", "rejected": "significant", "undecided": "not_comparable"}  # those of verdicts
 _LARGE = 2.0  # times the font
 
@@ -138,12 +139,15 @@ class AcceptPage(QDialog):
         """The algorithm's parameters as the page has them, without outputs."""
         moved = {scan.mosaic: scan for scan in delivered_scans(self._project, "")}  # since the page was opened
         chosen = [moved.get(scan.mosaic, scan) for row, scan in enumerate(self._scans) if self._is_chosen(row)]
+        return {**decision_values(self._inputs, chosen), **self._given()}
+
+    def _given(self) -> dict[str, Any]:
         said = {name: field.text().strip() for name, field in self.head.items()}
-        limits = {name: box.value() for name, box in self.limits.items()}
-        return {**decision_values(self._inputs, chosen), **said, **limits}
+        return {**said, **{name: box.value() for name, box in self.limits.items()}}
 
     def decide(self, *_: object) -> None:
         """In the background, into a folder of its own."""
+        save_settings(self._project, _KEY, self._given())
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
         beside = suggested_files(self._project, self._inputs)
         self._made = {name: folder / file.name for name, file in beside.items()}
@@ -191,7 +195,9 @@ class AcceptPage(QDialog):
             self._zoom_to(layer)
 
     def done(self, result: int) -> None:
-        """Stop what is under way."""
+        """Stop what is under way; the project keeps what was given."""
+        if self._given() != self._before:
+            save_settings(self._project, _KEY, self._given())
         if self._task is not None:
             self._feedback.cancel()
         super().done(result)
@@ -218,10 +224,7 @@ class AcceptPage(QDialog):
         words = {"accepted": tr("Accepted"), "rejected": tr("Rejected"), "undecided": tr("Undecided")}
         self.verdict.setText(words.get(outcome, outcome))
         self.verdict.setVisible(bool(outcome))
-        palette = readable_palette(self)
-        if outcome in _COLOURS:
-            palette.setColor(QPalette.ColorRole.WindowText, QColor(verdict_colour(_COLOURS[outcome])))
-        self.verdict.setPalette(palette)
+        self.verdict.setStyleSheet(f"color: {verdict_colour(_COLOURS.get(outcome, ''))}")  # themes have their own, too
         self.reason.setText(why)
         self.reason.setVisible(bool(why))
         self._saved.setText("")
@@ -264,19 +267,21 @@ class AcceptPage(QDialog):
     def _lay_out(self) -> None:
         self.head = {name: QLineEdit(self) for name in _HEAD}
         self.limits = {name: QDoubleSpinBox(self) for name in _LIMITS}
-        head, limits = QFormLayout(), QFormLayout()
+        head, limits, kept = QFormLayout(), QFormLayout(), load_settings(self._project, _KEY)
         for form, fields in ((head, self.head), (limits, self.limits)):
             for name, field in fields.items():
                 definition = self._algorithm.parameterDefinition(name)
                 field.setToolTip(plain_tip(definition.help()))
                 form.addRow(definition.description(), field)
-                given = definition.guiDefaultValueOverride() or definition.defaultValue()
+                kind = str if isinstance(field, QLineEdit) else float
+                given = kept[name] if isinstance(kept.get(name), kind) else definition.defaultValue()
                 if isinstance(field, QLineEdit):
                     field.setText(str(given or ""))
                 else:
                     field.setRange(0, 100 if name != "MAX_RUN" else 1e6)
                     field.setDecimals(1)
                     field.setValue(float(given))
+        self._before = self._given()
         self._list = QListWidget(self)
         self._list.setMaximumHeight(5 * self.fontMetrics().height())
         for scan in self._scans:

@@ -106,7 +106,8 @@ class InspectionDock(ToolDock):
         self._lay_out()
         for choice in self.findChildren(QComboBox):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
-        self.session.placesTaken.connect(self._go_to_worst)
+        self.session.placesTaken.connect(self.windows.uncover)
+        self.session.placesTaken.connect(self.judging.model.walk)
         self.session.stepped.connect(self.zoom_to)
         self.session.mosaicDoubted.connect(lambda message: self._ask(message, {
             tr("The windows are of this mosaic"): self.session.take_windows,  # nothing goes on with them before
@@ -165,16 +166,6 @@ class InspectionDock(ToolDock):
     def _forget_findings(self) -> None:
         if self._findings is not None and not sip.isdeleted(self._findings):
             self._findings.dismiss()
-
-    def _go_to_worst(self, fids: list[int]) -> None:
-        """To the worst place that is not judged yet; from such a place to the next one. In a review to any of them."""
-        places = list(filter(self.judging.model.is_open, fids)) or fids
-        if places:
-            current = self.session.selected()
-            following = places.index(current[0]) + 1 if current and current[0] in places else 0
-            fid = places[following % len(places)]
-            self.session.select([fid])
-            self.zoom_to(fid)
 
     def _ask(self, message: Message, answers: Mapping[str, Callable[[], None]]) -> None:
         """``answers``: what is done by what the operator says; the last is what closing the question says."""

@@ -170,8 +170,10 @@ class JudgeBar(QWidget):
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
             finding = window_sentence(piece.record, pixel_m=pixel_m)
-            text = tr("By the scan, this piece of seam: {finding} The curves are of the window around it.")
+            text = tr("By the scan, this piece of seam: {finding}")
             sentence = filled(text, finding=finding)
+        elif self._judging.is_walked():
+            sentence = tr("All windows at the worst places are judged.")
         elif progress.is_done:
             rest = progress.rest()
             text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")

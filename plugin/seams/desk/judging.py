@@ -46,6 +46,7 @@ class JudgingProgress:
     unsure: int  # where he looked and was not sure
     to_judge: int
     """To look at yet, be there too little for a verdict. The others have no source, or are not inspected."""
+    is_of_scan: bool = False  # whether the worst places of a scan are gone through, and only they are counted
 
     @property
     def is_done(self) -> bool:
@@ -61,6 +62,8 @@ class JudgingProgress:
             "{left} to go: {judged} of {count} judged"
         )
         text = filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge)
+        if self.is_of_scan:
+            return filled(tr("Worst places: {progress}"), progress=text)
         return "; ".join(filter(None, (text, self.rest())))
 
     def rest(self) -> str:
@@ -114,6 +117,7 @@ class Judging(QObject):
         self._places: dict[int, int] = {}
         self._place = -1
         self._last_place = -1
+        self._walk: list[int] = []  # numbers of the windows that are gone through before all others
         self._connections = Connections(
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
@@ -152,16 +156,11 @@ class Judging(QObject):
 
     def _load(self, *_: object) -> None:
         self._settings = load_judging(self._project)
-        self._judged = []
+        self._judged, self._walk = [], []
         self._went_to = self.just_sure = None
         self.changed.emit()
 
     # Judging
-
-    def is_open(self, fid: int) -> bool:
-        """Whether the operator has to look at a window yet, as far as is known before it is inspected."""
-        row = self._session.row(fid)
-        return row is not None and not self.word(row) and (row.is_compared or not row.verdict)
 
     def word(self, row: WindowRecord) -> str:
         """What the operator says of a window."""
@@ -259,8 +258,11 @@ class Judging(QObject):
 
     def _leave_judged(self) -> None:
         """Somebody went elsewhere: what is said now is said of the window that is selected."""
-        if self._selected_numbers() != self._went_to:
+        selected = self._selected_numbers()
+        if selected != self._went_to:
             self._went_to = self.just_sure = None
+        if not set(selected) <= set(self._walk):
+            self._walk = []
         self._is_sure_said = False
 
     # Where the selected window stands
@@ -271,7 +273,9 @@ class Judging(QObject):
         if (self.operator, windows) != self._counted:  # each key asks of thousands
             self._counted = self.operator, windows
             self._kinds = {row.fid: _kind(row, self.operator) for row in windows}
-        shown = self._shown() if self._shown is not None else [row.fid for row in windows]
+        shown: Sequence[int] = self._walked()
+        if not shown:
+            shown = self._shown() if self._shown is not None else [row.fid for row in windows]
         if shown is not self._fids:
             self._fids, self._places = shown, {fid: place for place, fid in enumerate(shown)}
         places = (self._places[fid] for fid in self._session.selected() if fid in self._places)
@@ -281,8 +285,12 @@ class Judging(QObject):
 
     def progress(self) -> JudgingProgress:
         """What the operator has done."""
-        counts = Counter(self._kinds.values())
-        return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
+        walk = self._walked()
+        counts = Counter(map(self._kinds.get, walk or self._kinds))
+        judged, unsure = counts[_JUDGED], counts[_UNSURE]
+        if walk:
+            return JudgingProgress(len(walk), judged, unsure, len(walk) - judged - unsure, is_of_scan=True)
+        return JudgingProgress(len(self._kinds), judged, unsure, counts[_LEFT])
 
     def neighbour(self, by: int) -> int | None:
         """The window before or after. One that the filter took away once it was judged still has its place."""
@@ -302,7 +310,33 @@ class Judging(QObject):
         start = self._place + 1 if self._place >= 0 else max(self._last_place, 0) if self._session.selected() else 0
         current = self._fids[self._place] if self._place >= 0 else None
         around = chain(islice(self._fids, start, None), islice(self._fids, start))
-        return next((fid for fid in around if self._kinds.get(fid) == _LEFT and fid != current), None)
+        wanted = (_LEFT, _REST) if self._walked() else (_LEFT,)
+        return next((fid for fid in around if self._kinds.get(fid) in wanted and fid != current), None)
+
+    # Places of a scan
+
+    def walk(self, fids: Sequence[int]) -> None:
+        """Go through these windows in their order and leave none out, until another one is selected.
+
+        To the first without the operator's word, or from such a one to the next; in a review to any of them.
+        """
+        rows = [row for row in map(self._session.row, dict.fromkeys(fids)) if row is not None]
+        places = [row.fid for row in rows if not self.word(row)] or [row.fid for row in rows]
+        self._walk = [row.window_id for row in rows]
+        if places:
+            current = self._session.selected()
+            following = places.index(current[0]) + 1 if current and current[0] in places else 0
+            self._go_to(places[following % len(places)])
+
+    def is_walked(self) -> bool:
+        """Whether all windows that were to be gone through are judged, and no other one is selected since."""
+        return bool(self._walk) and not self._walked()
+
+    def _walked(self) -> list[int]:
+        """Windows that are gone through before all others, while one is not judged."""
+        rows = [row for row in map(self._session.numbered, self._walk) if row is not None]
+        fids = [row.fid for row in rows]
+        return fids if not all(map(self.word, rows)) else []
 
     def _following(self) -> int | None:
         """The next one to judge; where all are judged, as in a review, the one after this. None where none was yet."""

@@ -257,8 +257,7 @@ def scan_message(bar: QgsMessageBar, done: ScanDone, judge: Callable[[], None]) 
     """Say how much was lost, and offer the worst places until they are taken, or the project closes."""
     item = bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
     if done.worst_count:
-        words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
-        button = QPushButton(filled(words, count=done.worst_count), item)
+        button = QPushButton(tr("Judge the worst places"), item)
         button.setToolTip(tr("Inspects the windows of the worst places, and goes to the worst that is not judged yet."))
         button.clicked.connect(item.dismiss)
         button.clicked.connect(lambda *_: judge())

@@ -44,15 +44,7 @@ WINDOWS_CROWDED = Message(
 SEAMS_COVERED = Message("Seams that lie within windows of longer ones and have none of their own: {count}.", WARNING)
 SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.", WARNING)
 SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
-WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
-WINDOWS_PLACED_IN_PART = Message(
-    "Windows placed along the seams: {count}. Some places have none; the log messages say why.", INFO
-)
-WINDOWS_PLACED_BESIDES = Message(
-    "Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are "
-    "ready.", INFO
-)
-WINDOWS_THERE_ALREADY = Message("No window was placed: all {there} places along the seams have theirs already.", INFO)
+WINDOWS_PLACED = Message("Windows placed along the seams: {count}; there already: {there}.", INFO)
 NO_RECTANGLE = Message(
     "Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a "
     "geometry or with xmin, ymin, xmax and ymax."

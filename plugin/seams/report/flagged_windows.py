@@ -14,14 +14,14 @@ from ...imagery.errors import Message
 from ...imagery.limits import judged_band
 from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
-from ...toolkit.translation import filled, formatted, percent, sentence, shown_number, tr
+from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
-from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord, contrast_of
-from ..window_summary import by_the_paper, judged_words, painted_width_m, window_sentence, window_why
+from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord
+from ..window_summary import judged_words, painted_width_m, told_cause, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -71,7 +71,7 @@ def _findings(record: WindowRecord) -> Iterator[str]:
     if paper := paper_words(record):
         yield paper
     known = []
-    causes = record.causes or record.cause
+    causes = "; ".join(dict.fromkeys([told_cause(record), *(record.causes or record.cause).split("; ")]))
     if causes and (causes != "none" or record.verdict in LOSSES):
         words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
         known.append(filled(words, cause=causes_words(causes)))
@@ -128,7 +128,7 @@ class WindowSections:
             judged = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
             names = [pair.source for pair in sorted(judged, key=lambda pair: -(pair.ratio or 0))]
         loss = None if result is None else result.loss
-        return ClipJob(record.extent, tuple(names), loss, painted_width_m(record))
+        return ClipJob(record.extent, tuple(names), loss, painted_width_m(record, result))
 
     def _section(self, record: WindowRecord, clips: WindowParts) -> dict[str, object]:
         request, window = self._request, record.window_id
@@ -163,32 +163,20 @@ class WindowSections:
         if result is None or result.profile is None:
             return shown_profile(record, request.profiles.get(record.window_id, ()), self._pixel_m, request.min_kept)
         levels = frozenset(bin_.level for bin_ in result.profile.bins)
-        return ShownProfile(
-            result.profile, result.ground_sample_distance, request.min_kept, levels, result.ground_left
-        )
+        pixel_m, window_m = result.ground_sample_distance, result.longer_side_m
+        return ShownProfile(result.profile, pixel_m, request.min_kept, levels, result.ground_left, window_m)
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
         known = record, self._request.results.get(record.window_id), self._pixel_m
         yield " ".join([window_sentence(*known), *window_why(*known)])
         facts = []
-        if record.cause and record.cause != "none":
-            words = tr("Found: {cause}.")
-            if record.verdict in LOSSES:
-                words = tr("Main cause in the whole window: {cause}.")
-            facts += [filled(words, cause=cause_word(record.cause)), cause_sentence(record.cause)]
+        if (cause := told_cause(record)) and cause != "none":
+            words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
+            facts += [filled(words, cause=cause_word(cause)), cause_sentence(cause)]
         facts += [filled(tr("Observer: {word}."), word=observer_word(record.observer) or tr("not judged"))]
-        paper = paper_words(record)
-        if paper and not by_the_paper(record):
+        if paper := paper_words(record):
             facts.append(f"{paper[:1].upper()}{paper[1:]}.")
-        contrast = record.contrast
-        if contrast is None:
-            contrast = contrast_of(self._request.pairs.get(record.window_id, ()))
-        if contrast is not None:
-            facts.append(filled(tr("Absolute contrast at level 1: {percent} %."), percent=percent(contrast)))
-        if record.unclear_share is not None:
-            words = tr("Pixels where no source wins clearly: {percent} %.")
-            facts.append(filled(words, percent=percent(record.unclear_share)))
         yield " ".join(filter(None, facts))
 
 

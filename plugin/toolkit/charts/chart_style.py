@@ -36,7 +36,7 @@ DARK = ChartStyle(
     background="#232629",
     grid="#454a4f",
     limit="#ff6b6b",
-    quiet="#a8b0b8",
+    quiet="#7f8893",
     sources=("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00"),  # theirs that show on black
 )
 

@@ -36,7 +36,7 @@ def test_a_seam_is_painted_as_wide_as_it_is_told(width_px: int) -> None:
     for column in range(96, 112):  # of the seam, in samples
         seam = np.array([(row, side) for row in range(256) for side in (column - 1, column)], np.uint16)
         away_px = np.abs(8 * np.arange(64) + 4 - 2 * column)
-        kept = np.where(np.tile(away_px, (64, 1)) < width_px / 2 + 20, 0.4, 1.0).astype(np.float32)
+        kept = np.where(np.tile(away_px, (64, 1)) < width_px / 2 + 70, 0.4, 1.0).astype(np.float32)
         kept[:, 60:] = 0.4  # no business of the seam
         painted = loss_rgba(LossPicture(kept, seam=seam), width_px)[0, :, 3] > 0
         widths.append(8 * int(painted[:50].sum()))

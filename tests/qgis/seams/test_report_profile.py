@@ -114,7 +114,7 @@ def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) ->
     middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
     assert float(match[1]) == pytest.approx(middle, abs=80 * PIXEL)
     picture = LossPicture(np.full((64, 64), 0.4, np.float32))
-    known = SimpleNamespace(loss=picture, explanation=None, profile=None, ground_sample_distance=PIXEL)
+    known = SimpleNamespace(loss=picture, explanation=None, profile=None, longer_side_m=9, ground_sample_distance=PIXEL)
     given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, results={1: known})
     assert "lost detail over the mosaic; in the frame the clips" in page_of(tmp_path / "given.html", given).captions
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsApplication
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.compared_image import Change
@@ -16,7 +17,7 @@ from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin,
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
-from seam_inspector.plugin.seams.window_summary import named_causes, window_sentence
+from seam_inspector.plugin.seams.window_summary import told_cause, window_sentence, window_why
 
 from tests.qgis.seams.desk.windows_session import window
 
@@ -103,7 +104,6 @@ def test_a_cause_has_its_words(qgis_app: QgsApplication, cause: str, words: str,
     [
         ({"composite_ratio": 0.62}, "Detail at level 1 is 38 % of the sources' and 62 % of their composite's; the"),
         ({"composite_ratio": None}, "Detail at level 1 is 38 % of the sources'; the mosaic is"),
-        ({"sources": 1}, "Detail at level 1 is 38 % of the source's; the mosaic is"),
         ({"verdict": "reduced"}, "Reduced. Detail at level 1 is 38 % of the sources'; the mosaic is blurred."),
         ({"verdict": "preserved"}, "Preserved. Detail at level 1 is 38 % of the sources'; the mosaic is blurred."),
         ({"verdict": "preserved", "cause": "none"}, "Preserved. Detail at level 1 is 38 % of the sources'."),
@@ -142,8 +142,12 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
         (  # in all of the window more is gone than beside the seam
             {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
              "loss": 3634.3, "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            ("Reduced. 34 % of the window's detail lost (3,634 m²), 16 % of the rest along the seam: resampled. "
-             "Don't resample it."),
+            ("Reduced. 34 % of the window's detail lost (3,634 m²; limit 85 %), 16 % of the rest along the "
+             "seam: resampled. Don't resample it."),
+        ),
+        (  # on this side of the limit, and said so
+            {"verdict": "reduced", "kept": (0.703,), "kept_low": 0.6, "kept_high": 0.8},
+            f"Reduced. 29.7 % of detail lost in 2.0 m along the seam: feathered. {CUT}",
         ),
         (  # what resampling took all over is no part of what the misfit did
             {"sharpness": 0.79, "loss": 3931.0, "cause": "resampled", "causes": "resampled; misregistration",
@@ -179,20 +183,29 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
 
 
 @pytest.mark.parametrize(
-    ("values", "causes"),
+    ("values", "cause"),
     [
-        ({"causes": "feathering; balanced", "cause": "feathering"}, ["feathering"]),
+        ({"causes": "feathering; balanced", "cause": "feathering"}, "feathering"),
         (  # the seam made the verdict, and resampling took more
             {"cause": "resampled", "causes": "resampled; misregistration; feathering", "sharpness": 0.79},
-            ["misregistration", "resampled"],
+            "misregistration",
         ),
         (
             {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
              "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            ["resampled"],
+            "resampled",
         ),
-        ({**SOUND, "cause": "resampled", "causes": "resampled; feathering"}, ["resampled"]),
+        ({**SOUND, "cause": "resampled", "causes": "resampled; feathering"}, "resampled"),
     ],
 )  # fmt: skip
-def test_the_table_names_the_cause_that_the_sentence_tells_first(values: dict[str, Any], causes: list[str]) -> None:
-    assert named_causes(seam_row(**values)) == causes
+def test_the_table_names_the_cause_that_the_sentence_tells_first(values: dict[str, Any], cause: str) -> None:
+    assert told_cause(seam_row(**values)) == cause
+
+
+@pytest.mark.parametrize(("side_px", "width"), [(512, "28.0"), (280, "28.0"), (256, "at least 25.6")])
+def test_a_seam_is_no_wider_than_its_window(qgis_app: QgsApplication, side_px: int, width: str) -> None:
+    """Ground was read beyond it."""
+    measured, seen = result("feathering"), seam_row(feather_width=28.0)
+    measured = replace(measured, window=PixelWindow(0, 0, side_px, 64))
+    assert f"44 % of detail lost in {width} m along the seam" in window_sentence(seen, measured)
+    assert any(f"over {width} m" in said for said in window_why(seen, measured))

@@ -1,6 +1,8 @@
 """The tab with the curves of the selected window, and its seam profile beside them."""
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QSize, Qt
@@ -8,10 +10,11 @@ from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QSplitter, QWidget
 
 from ....imagery.limits import judged_band
+from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
-from ...charts.curves_painter import Chart, window_curves
+from ...charts.curves_painter import Chart, ChartCurve, window_curves
 from ...charts.profile_painter import ShownProfile, bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
@@ -81,16 +84,14 @@ class CurvesPanel(ChartPanel):
             self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
             self._save.offer(None)
         elif result is not None:
-            chart = self._draw(result, _title(self._session, result))
+            chart = self._draw(result, filled(tr("Window {number}"), number=result.window_id))
             self._save.offer(curves_picture(f"window_{result.window_id}_curves", chart))
         else:
             self._show_no_curves(missing)
 
     def _draw(self, result: WindowCurves, title: str) -> Chart:
-        for clip in result.clips[1:]:
-            self._colours.setdefault(clip.raster, len(self._colours))
         band = judged_band(result.clips[0].curves)
-        curves = window_curves(result, band, self._colours, self._session.inputs.reference)
+        curves = self._coloured(window_curves(result, band, self._session.inputs.reference))
         chart = Chart(tuple(curves), self._session.inputs.max_ratio)
         self._pages.setCurrentWidget(self._chart)
         self._chart.setEnabled(True)
@@ -98,6 +99,18 @@ class CurvesPanel(ChartPanel):
         self.shown = [result]
         self._status.setText(title)
         return chart
+
+    def _coloured(self, curves: list[ChartCurve]) -> Iterator[ChartCurve]:
+        """Sources keep their colours from window to window, but where two that meet would have the same."""
+        count, taken = len(PAPER.sources), set()
+        for curve in curves:
+            if not (curve.is_mosaic or curve.is_composite):
+                wanted = self._colours.get(curve.label, len(self._colours))
+                free = (number for number in (wanted, *range(count)) if number % count not in taken)
+                self._colours[curve.label] = number = next(free, wanted)
+                taken.add(number % count)
+                curve = replace(curve, colour=number)
+            yield curve
 
     def _show_no_curves(self, why: str) -> None:
         """The chart before stays, faint, while there are some to come."""
@@ -121,16 +134,7 @@ def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
     return None, _why_nothing(session, selected)
 
 
-def _title(session: Session, result: WindowCurves) -> str:
-    """The window that is drawn."""
-    text = filled(tr("Window {number}"), number=result.window_id)
-    row = session.row(session.selected()[0])
-    return text + tr(", out of date: inspect it again") if row is not None and row.stale else text
-
-
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
-    if not selected and session.piece is not None:
-        return tr("There are no curves where the window around the piece has pixels without a value.")
     if not selected:
         return tr("Select a window in the table or on the map, or draw one.")
     if len(selected) > 1:
@@ -184,7 +188,9 @@ class ProfilePanel(ChartPanel):
         if live is not None:
             if live.profile is not None:
                 min_kept = self._session.inputs.min_kept
-                self.show_profile(ShownProfile(live.profile, live.ground_sample_distance, min_kept))
+                pixel_m = live.ground_sample_distance
+                window_m = max(live.window.width, live.window.height) * pixel_m
+                self.show_profile(ShownProfile(live.profile, pixel_m, min_kept, window_m=window_m))
             self._offer(None)
             return
         selected = self._session.selected()
@@ -192,10 +198,12 @@ class ProfilePanel(ChartPanel):
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
             pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
-            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=result.ground_left))
+            window_m, ground_left = result.longer_side_m, result.ground_left
+            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left, window_m=window_m))
         else:
             result = None
-            self._text.setText(self._why_nothing(selected))
+            several = tr("Select one window to see its seam profile.")
+            self._text.setText(several if len(selected) > 1 else "")  # of a single one its sentence says why
             self._pages.setCurrentWidget(self._text)
             self._say()
         self._offer(result)
@@ -218,17 +226,6 @@ class ProfilePanel(ChartPanel):
     def _refresh(self) -> None:
         if self.isVisible():
             self.refresh()
-
-    def _why_nothing(self, selected: list[int]) -> str:
-        """Words that stand neither in the place of the curves nor in the window's sentence."""
-        if len(selected) > 1:
-            return tr("Select one window to see its seam profile.")
-        result = self._session.result(selected[0]) if selected else None
-        if result is None or result.explanation is None or result.judgement.reason is not None:
-            return ""
-        if not result.explanation.has_seam:
-            return tr("There is no seam in the window.")
-        return tr("There is too little ground around the seam to compare with. Take a larger window.")
 
     def _offer(self, result: WindowResult | None) -> None:
         """What can be saved from now on."""

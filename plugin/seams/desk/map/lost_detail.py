@@ -259,7 +259,7 @@ def loss_of(row: WindowRecord, result: WindowResult) -> WindowPicture:
     loss = result.loss
     if loss is None:
         return WindowPicture(row.measured, None, None, 0)
-    rgba = loss_rgba(loss, painted_width_m(row) / result.ground_sample_distance)
+    rgba = loss_rgba(loss, painted_width_m(row, result) / result.ground_sample_distance)
     return WindowPicture(row.measured, rgba_image(rgba) if rgba[..., 3].any() else None, result.window, loss.cell_px)
 
 

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from itertools import product
+from math import hypot
 from typing import TYPE_CHECKING
 
 from qgis.core import (
@@ -13,8 +15,9 @@ from qgis.core import (
     QgsProject,
     QgsRectangle,
     QgsVectorLayer,
+    QgsWkbTypes,
 )
-from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapToolIdentify, QgsMapToolPan
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapToolIdentify, QgsMapToolPan, QgsRubberBand
 from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeyEvent
 
@@ -22,6 +25,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
+from ....imagery.open_raster import OpenRaster
 from ....imagery.seam_totals import profile_of
 from ....toolkit.connections import Connections
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
@@ -38,6 +42,7 @@ from .under_mouse import ClickedPiece
 from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
+    from ...measure.window.inspection import Block
     from ..inputs.project_inputs import Inputs
     from ..session import Session
 
@@ -179,9 +184,9 @@ class WindowTool(DrawingTool):
 
     def _draft(self) -> _Draft | None:
         """None without mosaic, or where the map has no place on it."""
-        grid = self._session.mosaic_grid()
+        grid, layer = self._session.mosaic_grid(), self._session.mosaic_layer()
         point = self._on_mosaic(self._cursor) if self._cursor is not None else None
-        if grid is None or point is None:
+        if grid is None or layer is None or self._cursor is None or point is None:
             return None
         if self._is_drag and self._anchor is not None:
             (x1, x2), (y1, y2) = (sorted(pair) for pair in zip(self._anchor, point))
@@ -190,7 +195,8 @@ class WindowTool(DrawingTool):
                 return self._accepted(grid, snap_window(grid, extent, self._session.inputs.levels))
             except WindowError as error:
                 return _Draft(extent, None, sentence(error.message), OutlineTone.REFUSED)
-        seam_point = self._session.seam_point_near(*point, self._seam_reach())
+        reach = reach_of(self.canvas(), self._cursor, _SEAM_REACH_PX, layer.crs())
+        seam_point = self._session.seam_point_near(*point, reach)
         centre = seam_point or point
         try:
             return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point)
@@ -201,7 +207,13 @@ class WindowTool(DrawingTool):
         block = self._session.block()
         sources = 0 if block is None else len(block.sources_over(window))
         tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
-        return _Draft(grid.window_extent(window), window, described(grid, window, sources), tone, seam_point)
+        width, height = window.width * grid.pixel_width, window.height * grid.pixel_height
+        spans = {"width": shown_metres(width * grid.metres_x), "height": shown_metres(height * grid.metres_y)}
+        text = tr("{width} x {height} m, {columns} x {rows} px")
+        if not sources:
+            text = tr("{width} x {height} m, {columns} x {rows} px, no source lies there")
+        text = filled(text, **spans, columns=window.width, rows=window.height)
+        return _Draft(grid.window_extent(window), window, text, tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
         """A point of the map in the mosaic's reference system; None when it has no place there."""
@@ -211,15 +223,14 @@ class WindowTool(DrawingTool):
         place = transformed_point(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
         return (place.x(), place.y()) if place is not None else None
 
-    def _seam_reach(self) -> float:
-        """How near a seam counts as near, in the mosaic's units."""
-        assert self._cursor is not None
-        reach = _SEAM_REACH_PX * self.canvas().logicalDpiX() / 96 * self.canvas().mapUnitsPerPixel()
-        beside = QgsPointXY(self._cursor.x() + reach, self._cursor.y())
-        here, there = self._on_mosaic(self._cursor), self._on_mosaic(beside)
-        if here is None or there is None:
-            return 0.0
-        return float(((here[0] - there[0]) ** 2 + (here[1] - there[1]) ** 2) ** 0.5)
+
+def reach_of(canvas: QgsMapCanvas, point: QgsPointXY, pixels: int, crs: QgsCoordinateReferenceSystem) -> float:
+    """How far so many pixels of a screen of 96 dpi reach beside a point of the map, in a system's units; 0 where that
+    has no such place."""
+    map_crs = canvas.mapSettings().destinationCrs()
+    beside = QgsPointXY(point.x() + pixels * canvas.logicalDpiX() / 96 * canvas.mapUnitsPerPixel(), point.y())
+    here, there = (transformed_point(place, map_crs, crs) for place in (point, beside))
+    return 0.0 if here is None or there is None else float(here.distance(there))
 
 
 def clicked_window(grid: Grid, centre: Point, inputs: Inputs) -> PixelWindow:
@@ -266,20 +277,24 @@ def _distance(row: WindowRecord, x: float, y: float) -> float:
     return ((xmin + xmax) / 2 - x) ** 2 + ((ymin + ymax) / 2 - y) ** 2
 
 
-def described(grid: Grid, window: PixelWindow, sources: int) -> str:
-    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``."""
-    width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
-    size = tr("{width} x {height} m, {columns} x {rows} px")
-    spans = {"width": shown_metres(width), "height": shown_metres(height)}
-    counted = {0: tr("no source lies there"), 1: tr("1 source")}.get(sources) or tr("{count} sources")
-    return ", ".join([filled(size, **spans, columns=window.width, rows=window.height), filled(counted, count=sources)])
-
-
 _REACH_PX = 8  # screen pixels at 96 dpi, from a line
+_MARK_PX = 5
+
+
+def window_with_pixels(block: Block, window: PixelWindow) -> PixelWindow:
+    """The nearest window to one, around the same place, in which the mosaic has pixels everywhere; itself where there
+    is none."""
+    grid, steps = block.mosaic.grid, sorted(product(range(-3, 4), repeat=2), key=lambda step: hypot(*step))
+    moved = (
+        replace(window, column=window.column + x * window.width // 8, row=window.row + y * window.height // 8)
+        for x, y in steps
+    )  # fmt: skip
+    inside = (place.moved_into(grid.columns, grid.rows) for place in moved)
+    return next(filter(OpenRaster(block.mosaic.ref).is_valid, inside), window)
 
 
 class ClickedPieces(QObject):
-    """Follows clicks of the tools that pan and identify until ``close``."""
+    """Follows clicks of the tools that pan and identify until ``close``, and marks the piece that is looked at."""
 
     changed = pyqtSignal()  # another piece is looked at, or none any more
 
@@ -289,6 +304,9 @@ class ClickedPieces(QObject):
         super().__init__(parent)
         self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._pressed_at: QPoint | None = None
+        self._mark = QgsRubberBand(canvas, QgsWkbTypes.GeometryType.LineGeometry)
+        self._mark.setColor(canvas.selectionColor())
+        self._mark.setWidth(_MARK_PX)
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
             (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave),
@@ -299,6 +317,7 @@ class ClickedPieces(QObject):
         """Follow no clicks any more."""
         self._canvas.viewport().removeEventFilter(self)
         self._connections.close()
+        self._canvas.scene().removeItem(self._mark)
 
     def judge(self) -> bool:
         """Select a window that holds the place, or make one, which is inspected. Whether there is a piece."""
@@ -321,6 +340,7 @@ class ClickedPieces(QObject):
         """No piece is looked at."""
         if self._session.piece is not None:
             self._session.piece = None
+            self._mark.reset(QgsWkbTypes.GeometryType.LineGeometry)
             self._session.leave()
             self.changed.emit()
 
@@ -337,10 +357,11 @@ class ClickedPieces(QObject):
 
     def _take(self, place: QPoint) -> None:
         point = self._canvas.getCoordinateTransform().toMapCoordinates(place)
-        piece, grid, mosaic = self._piece_at(point), self._session.mosaic_grid(), self._session.mosaic_layer()
-        if piece is None or grid is None or mosaic is None:
+        clicked, block, mosaic = self._piece_at(point), self._session.block(), self._session.mosaic_layer()
+        if clicked is None or block is None or mosaic is None:
             self.leave()
             return
+        (piece, outline, layer), grid = clicked, block.mosaic.grid
         strips = [
             ProfileRecord(1, (strip.near_m + strip.far_m) / 2, strip.kept, strip.kept, strip.kept)
             for strip in profile_of(str(piece.others["profile"]))[1:]  # without the judged strip
@@ -348,6 +369,7 @@ class ClickedPieces(QObject):
         here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
         try:
             window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
+            window = None if window is None else window_with_pixels(block, window)
         except SeamInspectorError:  # beside the mosaic, or where it has no room
             window = None
         if window is not None and here is not None:
@@ -357,12 +379,13 @@ class ClickedPieces(QObject):
             pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
             profile = shown_profile(piece, strips, pixel_m, min_kept)
             self._session.piece = ClickedPiece(piece, window, profile, here)
+            self._mark.setToGeometry(outline, layer)
             self._session.leave()  # the window of a piece before
             self._session.hover(window, is_live=True)
             self.changed.emit()
 
-    def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:
-        """The nearest piece of the mosaic's last scan, where the map shows it."""
+    def _piece_at(self, point: QgsPointXY) -> tuple[WindowRecord, QgsGeometry, QgsVectorLayer] | None:
+        """The nearest piece of the mosaic's last scan, where the map shows it, its line and their layer."""
         worst = worst_layer(QgsProject.instance(), self._session.inputs.mosaic)
         vectors = (vector for vector in self._canvas.layers() if isinstance(vector, QgsVectorLayer))
         shown = [vector for vector in vectors if worst is not None and layer_path(vector) == layer_path(worst)
@@ -370,20 +393,19 @@ class ClickedPieces(QObject):
         if not shown:
             return None
         layer, map_crs = shown[0], self._canvas.mapSettings().destinationCrs()
-        reach = _REACH_PX * self._canvas.logicalDpiX() / 96 * self._canvas.mapUnitsPerPixel()
-        beside = QgsPointXY(point.x() + reach, point.y())
-        here, there = (transformed_point(place, map_crs, layer.crs()) for place in (point, beside))
-        if here is None or there is None:
+        here = transformed_point(point, map_crs, layer.crs())
+        if here is None:
             return None
-        around, clicked = QgsRectangle(here, here).buffered(here.distance(there)), QgsGeometry.fromPointXY(here)
-        request = QgsFeatureRequest(around).setFlags(QgsFeatureRequest.Flag.ExactIntersect)
+        reach, clicked = reach_of(self._canvas, point, _REACH_PX, layer.crs()), QgsGeometry.fromPointXY(here)
+        request = QgsFeatureRequest(QgsRectangle(here, here).buffered(reach))
+        request.setFlags(QgsFeatureRequest.Flag.ExactIntersect)
         nearest = min(layer.getFeatures(request), key=lambda seam: seam.geometry().distance(clicked), default=None)
         if nearest is None:
             return None
         names = layer.fields().names()
         (row,) = read_windows([nearest], names)
         profile = text(nearest["profile"]) if "profile" in names else ""
-        return replace(row, reference=SEAM, others={"profile": profile})
+        return replace(row, reference=SEAM, others={"profile": profile}), nearest.geometry(), layer
 
     def _follow_selection(self) -> None:
         if self._session.selected():

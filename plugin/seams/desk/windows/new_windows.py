@@ -9,7 +9,7 @@ from typing import Any
 from qgis.core import QgsGeometry, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import Message, SeamInspectorError
+from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
@@ -96,7 +96,8 @@ class NewWindows(QObject):
         ]  # fmt: skip
         new = iter(self._add(places, filled(tr("adding {count} places of a scan"), count=len(places))))
         fids = [next(new) if fid is None else fid for fid in there]
-        self.notified.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
+        count = len(set(fids))
+        self.notified.emit(keeping_messages.PLACES_TAKEN(count=count, there=count - len(places)))
         return fids
 
     def copy_file(self) -> None:
@@ -137,7 +138,10 @@ class NewWindows(QObject):
             ]  # fmt: skip
             self._add(new, filled(tr("placing {count} windows"), count=len(new)))
         write_log(placement.dropped)
-        self.notified.emit(_placed_message(len(new), len(placed) - len(new), placement.dropped))
+        said = messages.WINDOWS_PLACED(count=len(new), there=len(placed) - len(new))
+        if not placed:
+            said = placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED()
+        self.notified.emit(said)
 
     def _with_layer(self) -> Block:
         """Make the window layer when there is none."""
@@ -202,16 +206,3 @@ def _share(row: WindowRecord, extent: Extent, place: Extent) -> float:
 
 def _area(extent: Extent) -> float:
     return (extent[2] - extent[0]) * (extent[3] - extent[1])
-
-
-def _placed_message(count: int, there: int, dropped: Sequence[Message]) -> Message:
-    """What became of placing: windows added, places that had theirs already, and places without one."""
-    if not count:
-        if there:
-            return messages.WINDOWS_THERE_ALREADY(there=there)
-        return dropped[0] if len(dropped) == 1 else messages.NO_WINDOW_PLACED()
-    if there:
-        return messages.WINDOWS_PLACED_BESIDES(count=count, there=there)
-    if dropped:
-        return messages.WINDOWS_PLACED_IN_PART(count=count)
-    return messages.WINDOWS_PLACED(count=count)

@@ -13,7 +13,7 @@ from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, shown_number, tr
 from ...measure.window_records import SEAM
-from ...window_summary import named_causes, shown_area, window_sentence, window_why
+from ...window_summary import shown_area, told_cause, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -71,17 +71,13 @@ class TableColumn(NamedTuple):
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
-            return rich_tip(cause_sentence(row.cause))
+            return rich_tip(cause_sentence(told_cause(row)))
         return window_tip(row, result)
 
 
 def _verdict_text(row: WindowRecord) -> str:
     word = verdict_word(row.verdict)
     return filled(tr("{verdict}, changed"), verdict=word) if row.stale else word
-
-
-def _cause_text(row: WindowRecord) -> str:
-    return ", ".join(map(cause_word, named_causes(row)))
 
 
 def _plain(name: str, heading: str, explanation: str, alignment: int = ALIGNED_LEFT) -> TableColumn:
@@ -104,18 +100,13 @@ def _observed(name: str, heading: str, explanation: str) -> TableColumn:
     )  # fmt: skip
 
 
-def _sure(name: str, heading: str, explanation: str) -> TableColumn:
-    percent = _plain(name, heading, explanation, _ALIGNED_RIGHT)
-    return percent._replace(text=lambda row: "" if percent.key(row) is None else f"{percent.key(row)} %")
-
-
 WINDOW_ID = _plain("window_id", QT_TR_NOOP("id"), QT_TR_NOOP("Number of the window."), _ALIGNED_RIGHT)
 COLUMNS = (
     WINDOW_ID,
     TableColumn(
         "verdict", QT_TR_NOOP("verdict"),
         QT_TR_NOOP("The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first."),
-        _verdict_text, lambda row: _SEVERITY.get(row.verdict),
+        _verdict_text, lambda row: (_SEVERITY[row.verdict], -(row.loss or 0.0)) if row.verdict in _SEVERITY else None,
     ),
     TableColumn(
         "loss", QT_TR_NOOP("loss"),
@@ -139,15 +130,15 @@ COLUMNS = (
     TableColumn(
         "cause", QT_TR_NOOP("cause"),
         QT_TR_NOOP("The step of production that explains what happened to the contrast."),
-        _cause_text, lambda row: _cause_text(row).casefold() or None,
+        lambda row: cause_word(told_cause(row)), lambda row: cause_word(told_cause(row)).casefold() or None,
     ),
     _plain("sources", QT_TR_NOOP("sources"), QT_TR_NOOP("How many sources the mosaic was compared with."),
            _ALIGNED_RIGHT),
     _observed("observer", QT_TR_NOOP("observer"),
               QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification.")),
     _observed("observer_2", QT_TR_NOOP("observer 2"), QT_TR_NOOP("What the second operator saw at 2x magnification.")),
-    _sure("confidence", QT_TR_NOOP("sure"), QT_TR_NOOP("How sure the observer is, 0 to 100 %.")),
-    _sure("confidence_2", QT_TR_NOOP("sure 2"), QT_TR_NOOP("How sure the second operator is, 0 to 100 %.")),
+    _plain("confidence", QT_TR_NOOP("sure (%)"), QT_TR_NOOP("How sure the observer is."), _ALIGNED_RIGHT),
+    _plain("confidence_2", QT_TR_NOOP("sure 2 (%)"), QT_TR_NOOP("How sure the second operator is."), _ALIGNED_RIGHT),
     _plain("remark", QT_TR_NOOP("remark"), QT_TR_NOOP("The observer's remark.")),
     _plain("remark_2", QT_TR_NOOP("remark 2"), QT_TR_NOOP("The second operator's remark.")),
     _plain("reason", QT_TR_NOOP("reason"), QT_TR_NOOP("Why the mosaic could not be compared with a source.")),

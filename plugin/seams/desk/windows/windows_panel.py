@@ -1,7 +1,7 @@
 """The windows as a sortable table whose selection is the window layer's, filtered by kind and words."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from operator import attrgetter
@@ -11,11 +11,12 @@ from qgis.gui import QgsFilterLineEdit
 from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAbstractItemView, QComboBox, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
-from ....imagery.statistics import FIRST, UNSURE, VISIBLE, Operator
+from ....imagery.statistics import FIRST, UNSURE, Operator
 from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, tr
 from ...measure.window_records import WindowRecord
-from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
+from ...window_summary import told_cause
+from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import WINDOW_ID, verdict_chip
 from .windows_table import WindowsModel, WindowsTable
 
@@ -43,8 +44,8 @@ def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None) -> bo
     if allowed is not None:
         said = row.observer if FIRST.observer in allowed else row.observer_2
         return any(part.startswith(word) for part in observer_word(said).casefold().split())
-    words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer), row.read("origin") or ""
-    said = " ".join(map(str, words))
+    words = verdict_word(row.verdict), cause_word(told_cause(row)), observer_word(row.observer), row.read("origin")
+    said = " ".join(map(str, filter(None, words)))
     return any(part.startswith(word) for part in said.casefold().split()) or word in row.reason.casefold()
 
 
@@ -64,11 +65,6 @@ class KindBox(QComboBox):
         self._add(tr("not judged"), partial(self._is_said, ""), tr("Windows that no observer has judged."))
         self._add(tr("not sure"), partial(self._is_said, UNSURE), tr("Windows where the observer was not sure."))
         self._add(tr("changed"), attrgetter("stale"), tr("Windows to be inspected again."))
-        differing = self.count()
-        self._add(tr("tool differs"), tool_and_observer_disagree,
-                  tr("Windows where the tool and an observer disagree."))
-        self._add(tr("operators differ"), operators_disagree, tr("Windows where the two operators disagree."))
-        self._telling = [*range(1, len(VERDICTS)), *range(differing, self.count())]  # what is hidden while blind
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(_LETTERS)  # the longest of its words would leave little room for the search
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
@@ -82,9 +78,10 @@ class KindBox(QComboBox):
 
     def set_blind(self, is_blind: bool) -> None:
         """Whether what was found is hidden, and with it the kinds that tell it."""
-        for place in self._telling:
+        telling = range(1, len(VERDICTS))
+        for place in telling:
             self.model().item(place).setEnabled(not is_blind)
-        if is_blind and self.currentIndex() in self._telling:
+        if is_blind and self.currentIndex() in telling:
             self.setCurrentIndex(0)
 
     def _add(self, text: str, test: Test, tip: str) -> None:
@@ -98,18 +95,6 @@ class KindBox(QComboBox):
 
 def _has_verdict(verdict: str, row: WindowRecord) -> bool:
     return row.verdict == verdict
-
-
-def tool_and_observer_disagree(row: WindowRecord) -> bool:
-    """Whether the tool flags what an observer does not see, or the other way round."""
-    flagged = row.verdict == "significant"
-    words = [word for word in (row.observer, row.observer_2) if word in ("visible", "invisible")]
-    return row.verdict in CLAIMS and any((word == VISIBLE) != flagged for word in words)
-
-
-def operators_disagree(row: WindowRecord) -> bool:
-    """Whether both looked and did not say the same."""
-    return bool(row.observer and row.observer_2) and row.observer != row.observer_2
 
 
 class WindowsPanel(QWidget):
@@ -168,6 +153,12 @@ class WindowsPanel(QWidget):
         """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
         return self._windows.fids()
 
+    def uncover(self, fids: Iterable[int]) -> None:
+        """Show all windows where the filter hides one of these."""
+        if not set(fids) <= set(self.ordered_fids()):
+            self._search.clear()
+            self._verdicts.setCurrentIndex(0)
+
     # Following the session
 
     def _take_windows(self) -> None:
@@ -181,7 +172,9 @@ class WindowsPanel(QWidget):
 
     @contextmanager
     def _following(self) -> Iterator[None]:
-        """While rows come and go the table's selection changes by itself; the session's is what counts."""
+        """While rows come and go the table's selection changes by itself; the session's is what counts, and what was
+        in sight of it stays so, where its row goes elsewhere with a verdict."""
+        is_seen = any(map(self.table.is_in_sight, self.table.selected_rows()))
         top = self.table.rowAt(0)
         is_scrolled = self.table.verticalScrollBar().value() > 0 and top >= 0
         anchor = self._windows.windows()[top].window_id if is_scrolled else None
@@ -193,7 +186,7 @@ class WindowsPanel(QWidget):
             self.table.scrollTo(
                 self._windows.index(rows.index(anchor), 0), QAbstractItemView.ScrollHint.PositionAtTop
             )
-        self._show_selection(selected)
+        self._show_selection(set() if is_seen else selected)
         self.orderChanged.emit()
 
     def _take_selection(self) -> None:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import inf
 from typing import Union
 
 from ....imagery.errors import Message
@@ -102,6 +103,11 @@ class WindowResult:
     def levels(self) -> int:
         """R."""
         return len(self.judgement.ratios.detail)
+
+    @property
+    def longer_side_m(self) -> float:
+        """Longer side of the window; without end where that is not known."""
+        return inf if self.window is None else max(self.window.width, self.window.height) * self.ground_sample_distance
 
     @property
     def profile(self) -> SeamProfile | None:

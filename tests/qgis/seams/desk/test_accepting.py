@@ -119,6 +119,15 @@ def test_the_page_decides_by_its_limits_and_saves_what_it_made(
     assert failures.featureCount() == 1
     with pytest.raises(SettingsError, match="choose another folder"):
         page.save(tmp_path / "project")
+    page.limits["MAX_RUN"].setValue(12.5)
+    page.close()  # what was given is the project's
+    again = AcceptPage(QgsProject.instance(), Inputs(), page.parentWidget(), gone_to.append)
+    assert (again.values()["CONTRACT"], again.values()["MAX_RUN"]) == ("ZP-12/2026", 12.5)
+    again.close()
+    QgsProject.instance().clear()
+    other = AcceptPage(QgsProject.instance(), Inputs(), page.parentWidget(), gone_to.append)
+    assert (other.values()["CONTRACT"], other.values()["MAX_RUN"]) == ("", 50)
+    other.close()
 
 
 @pytest.mark.slow

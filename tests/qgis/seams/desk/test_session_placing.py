@@ -35,16 +35,16 @@ def place(desk: Desk, lines: list[QgsGeometry]) -> str:
 
 def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     said = place(desk, [_WHOLE])
-    assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}.")
+    assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}; there already: 0.")
     assert desk.levels[-1] == Qgis.MessageLevel.Success
     before = {row.window_id: row.extent for row in desk.session.windows()}
     desk.layer().commitChanges(False)  # files may round coordinates
     said = place(desk, [_WHOLE])
-    assert said == f"No window was placed: all {len(before)} places along the seams have theirs already."
+    assert said == f"Windows placed along the seams: 0; there already: {len(before)}."
     assert {row.window_id: row.extent for row in desk.session.windows()} == before
     desk.session.remove([min(row.fid for row in desk.session.windows())])
     said = place(desk, [_WHOLE])
-    assert said.startswith(f"Windows placed along the seams: 1; places that had theirs already: {len(before) - 1}.")
+    assert said.startswith(f"Windows placed along the seams: 1; there already: {len(before) - 1}.")
     assert sorted(row.extent for row in desk.session.windows()) == sorted(before.values())
 
 
@@ -80,7 +80,7 @@ def test_no_window_is_drawn_where_the_mosaic_has_no_pixels(desk: Desk, tmp_path:
     desk.set(desk.inputs())
     desk.session.add_window(PixelWindow(0, 0, 128, 128))
     desk.wait()
-    assert desk.messages == ["No window there: parts of it have no pixels."]
+    assert desk.messages == ["No window there: parts of it have no pixels. Draw a smaller one beside the edge."]
     assert desk.session.window_layer() is None
     desk.session.add_window(PixelWindow(0, 72, 128, 128))
     desk.wait()

@@ -128,7 +128,7 @@ def test_click_near_a_seam_is_moved_onto_it(operator: Operator) -> None:
 def test_drag_is_snapped_while_it_is_drawn(operator: Operator) -> None:
     operator.press((400, 400))
     operator.move((1004, 812), LEFT)
-    assert operator.text == "60.0 x 40.8 m, 600 x 408 px, 3 sources"
+    assert operator.text == "60.0 x 40.8 m, 600 x 408 px"
     operator.release((1004, 812))
     assert operator.session.added == [PixelWindow(402, 402, 600, 408)]
     assert operator.text == ""

@@ -60,7 +60,7 @@ def test_changed_windows_are_marked(panel: WindowsPanel) -> None:
         (ID, ASCENDING, [1, 2, 3, 4, 10, 12]),
         (ID, DESCENDING, [12, 10, 4, 3, 2, 1]),
         (VERDICT, ASCENDING, [2, 12, 1, 10, 4, 3]),
-        (VERDICT, DESCENDING, [4, 10, 1, 2, 12, 3]),
+        (VERDICT, DESCENDING, [4, 10, 1, 12, 2, 3]),
         (LOSS, ASCENDING, [10, 1, 2, 3, 4, 12]),
         (LOSS, DESCENDING, [2, 1, 10, 3, 4, 12]),
         (RATIO, ASCENDING, [2, 12, 1, 10, 3, 4]),
@@ -135,11 +135,17 @@ def test_as_many_columns_are_seen_as_there_is_room_for(
     assert panel.table.horizontalScrollBar().maximum() == 0
 
 
-def test_the_first_click_on_the_loss_shows_the_worst_first(panel: WindowsPanel) -> None:
-    header = panel.table.horizontalHeader()
-    place = QPoint(header.sectionViewportPosition(LOSS) + header.sectionSize(LOSS) // 2, header.height() // 2)
-    QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    assert panel.ordered_fids() == [2, 1, 10, 3, 4, 12]
+def test_the_selected_window_stays_in_sight_where_its_verdict_moves_its_row(
+    panel: WindowsPanel, session: WindowsSession, show: Show
+) -> None:
+    show(panel)
+    panel.table.sortByColumn(1, Qt.SortOrder.AscendingOrder)
+    session.put([window(fid, "reduced", kept=(0.9,)) for fid in range(1, 200)] + [window(200)])
+    session.select([200])
+    assert panel.table.is_in_sight(199)
+    session.change(200, verdict="significant")
+    assert panel.table.selected_rows() == [0]
+    assert panel.table.is_in_sight(0)
 
 
 # Selection

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import pytest
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
 from seam_inspector.plugin.imagery.statistics import FIRST
@@ -12,7 +11,7 @@ from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked
-from tests.qgis.seams.desk.windows_session import WindowsSession, columns_of, filter_to, window
+from tests.qgis.seams.desk.windows_session import WindowsSession, columns_of, window
 
 VERDICT = 1
 
@@ -65,20 +64,6 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert session.selected() == [3]
 
 
-def test_next_and_back_judge_nothing(judging: Judging, session: WindowsSession) -> None:
-    session.put(five())
-    session.select([2])
-    judging.judge("unsure")
-    judging.go_on()
-    assert session.selected() == [4]
-    judging.step(-1)
-    judging.step(-1)
-    assert session.selected() == [2]
-    judging.go_on()
-    assert session.selected() == [3]
-    assert sum(bool(row.observer) for row in session.rows) == 1
-
-
 def test_judging_starts_with_the_first_of_the_order_where_no_window_is_selected(
     judging: Judging, panel: WindowsPanel, session: WindowsSession
 ) -> None:
@@ -97,6 +82,27 @@ def test_judging_starts_with_the_first_of_the_order_where_no_window_is_selected(
     session.select([])
     judging.go_on()
     assert session.selected() == [4]  # the worst that is not judged
+
+
+def test_the_worst_places_are_gone_through_in_their_order_and_none_is_left_out(
+    judging: Judging, bar: JudgeBar, panel: WindowsPanel, session: WindowsSession
+) -> None:
+    session.put([*five(), window(6), window(7, "not_comparable")])
+    judging.walk([4, 7, 2, 6])
+    gone = []
+    while session.selected():
+        gone += session.selected()
+        judging.judge("unsure" if gone == [4] else "visible")
+        assert panel.table.selected_fids() == session.selected()
+    assert gone == [4, 7, 2, 6]
+    assert bar.sentence() == "All windows at the worst places are judged."
+    judging.take_back()
+    assert session.selected() == [6]
+    judging.step(-1)
+    assert session.selected() == [2]
+    session.select([1])  # which was not asked for
+    judging.judge("visible")
+    assert session.selected() == [3]
 
 
 def test_the_last_verdict_is_taken_back_from_the_next_window(judging: Judging, session: WindowsSession) -> None:
@@ -142,31 +148,6 @@ def test_many_at_once_only_when_the_operator_says_so(judging: Judging, session: 
         "Judge 3 windows as visible?", "Write this into 3 windows?", "Take back the verdicts on 2 windows?"
     ]
     assert not {"judge", "note"}.intersection(call[0] for call in session.calls)
-
-
-# Disagreements
-
-
-def placed(fid: int, seam: int, station: float, kept: float, observer: str = "", observer_2: str = "") -> object:
-    verdict = "significant" if kept < 0.5 else "reduced"
-    row = window(fid, verdict, (0.9, 1, 1), observer, kept=(kept,))
-    return replace(row, seam_id=seam, station=station, observer_2=observer_2)
-
-
-PLACED = [
-    placed(1, 2, 5.0, 0.9, "visible", "visible"), placed(2, 1, 30.0, 0.4, "visible", "invisible"),
-    placed(3, 2, 1.0, 0.6, "invisible", "unsure"), placed(4, 1, 4.0, 0.3, "invisible"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    ("choice", "fids"), [("tool differs", [1, 2, 4]), ("operators differ", [2, 3]), ("not sure", [])]
-)
-def test_disagreements_as_a_filter(
-    panel: WindowsPanel, session: WindowsSession, choice: str, fids: list[int]
-) -> None:
-    session.put(PLACED)  # type: ignore[arg-type]
-    assert filter_to(panel, choice=choice) == fids
 
 
 # Two operators

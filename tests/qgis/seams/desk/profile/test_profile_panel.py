@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ra
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.scenes import PIXEL
-from tests.qgis.seams.desk.profile.profile_desk import PROFILE, Explained, ProfileSession, result
+from tests.qgis.seams.desk.profile.profile_desk import PROFILE, ProfileSession, result
 from tests.qgis.seams.desk.session_desk import settle
 
 
@@ -113,18 +113,14 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
         ([1], "curve", True, ""),
         ([1], "reason", False, ""),
         ([1, 2], None, False, "Select one window to see its seam profile."),
-        ([1], "no seam", False, "There is no seam in the window."),
-        ([1], "little", False, "There is too little ground around the seam to compare with. Take a larger window."),
     ],
 )
 def test_words_where_there_is_no_profile(
     panel: ProfilePanel, session: ProfileSession, selected: list[int], name: str | None, pending: bool, words: str
 ) -> None:
-    little = Explained(None)
-    little.has_seam = True
     nothing = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None), messages.TOO_LITTLE_GROUND())
     results = {
-        "curve": replace(result(), explanation=None), "no seam": result(Explained(None)), "little": result(little),
+        "curve": replace(result(), explanation=None),
         "reason": replace(result(), explanation=None, judgement=nothing), None: None,
     }  # fmt: skip
     session.results = {1: results[name]} if results[name] is not None else {}
