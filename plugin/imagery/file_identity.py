@@ -168,10 +168,11 @@ _MOST_WHOLE = 64_000_000  # bytes of a file of which each is looked at
 _STRETCH_BYTES, _LOOK_BYTES = 1 << 17, 1 << 12
 """A larger file has one look in each stretch: it may change with its size and time kept."""
 _LOOK_STEP = 78_479  # from a look's place in its stretch to the next's: no rows and tiles keep pace with that
-OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames", "SourceProperties"
-"""What QGIS writes, or leaves out, when it first shows a raster, such as statistics, changes no pixel."""
 _MOST_PARSED = 20_000_000  # bytes of a VRT
-_NO_CONSEQUENCE = re.compile(rb"<(%s)\b(?:[^>]*/>|.*?</\1>)" % "|".join(OF_NO_CONSEQUENCE).encode(), re.S)
+_NO_CONSEQUENCE = re.compile(
+    rb"<(Metadata|Histograms|Description|CategoryNames|SourceProperties)\b(?:[^>]*/>|.*?</\1>)", re.S
+)
+"""What QGIS writes, or leaves out, when it first shows a raster, such as statistics, changes no pixel."""
 _FOLDERS = re.compile(rb"<(SourceFilename|SourceDataset)\b[^>]*>(?:[^<]*[\\/])?")
 
 

@@ -13,7 +13,6 @@
 from __future__ import annotations
 
 import ast
-import builtins
 import dataclasses
 import errno
 import json
@@ -170,8 +169,9 @@ _WORDS = (type(None), bool, int, float, str, tuple, Message, np.generic)
 """What goes into a sentence; paths and errors as they are shown."""
 
 
-def record_of(value: object) -> bytes:
-    """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those."""
+def record_of(value: object, exact: bool = False) -> bytes:
+    """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those; ``exact``:
+    arrays of float32 to the last digit."""
     arrays: dict[str, np.ndarray] = {}
 
     def plain(value: Any) -> Any:
@@ -181,7 +181,7 @@ def record_of(value: object) -> bytes:
             return value.item()
         if isinstance(value, np.ndarray):
             name = str(len(arrays))
-            arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
+            arrays[name] = value.astype(np.float16) if value.dtype == np.float32 and not exact else value
             return name
         if isinstance(value, Message):
             words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
@@ -194,7 +194,7 @@ def record_of(value: object) -> bytes:
 
     text = json.dumps(value, default=plain, separators=(",", ":")).encode()
     held = {_JSON: np.frombuffer(text, np.uint8), **arrays}
-    return packed(held, held)
+    return packed(held, [name for name, array in held.items() if array.dtype.kind != "f" or array.itemsize == 2])
 
 
 def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any:
@@ -227,7 +227,8 @@ class _Reader:
             if type(plain) is list and len(kinds) == len(plain):
                 return tuple(map(self.read, kinds, plain))
         elif isinstance(origin, type) and issubclass(origin, Mapping):
-            return {self.read(inner[0], key): self.read(inner[1], item) for key, item in plain.items()}
+            keys = map(int, plain) if inner[0] is int else plain  # which JSON makes words of
+            return {self.read(inner[0], key): self.read(inner[1], item) for key, item in zip(keys, plain.values())}
         else:
             return self._single(kind, plain)
         raise NotUnderstoodError(repr(plain)[:80])
@@ -266,8 +267,12 @@ class _Reader:
 @cache
 def _annotations(kind: type) -> dict[str, Any]:
     """The kinds of a class's fields. Python 3.9 does not know ``int | None`` of its own annotations."""
-    names = {**vars(builtins), **vars(sys.modules[kind.__module__])}
-    return {name: _kind(ast.parse(text, mode="eval").body, names) for name, text in kind.__annotations__.items()}
+    names: dict[str, Any] = {}
+    for base in reversed(kind.__mro__):  # object brings what is built in
+        names.update(vars(sys.modules[base.__module__]))
+    return {
+        field.name: _kind(ast.parse(str(field.type), mode="eval").body, names) for field in dataclasses.fields(kind)
+    }
 
 
 def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:

@@ -295,7 +295,10 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
 )
 # the journal of a scan that can go on where it stopped
 SCAN_GOES_ON = Message("The scan continues where it stopped; blocks that are done already: {done}.", INFO)
-SCAN_ANEW = Message("The scan starts from the beginning, as {what} changed since it stopped.", WARNING)
+SCAN_ANEW = Message(
+    "The scan starts from the beginning, as one of its files, a setting or the plugin's version changed since it "
+    "stopped.", WARNING
+)
 SCAN_INPUT_CHANGED = Message(
     "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
     "with the same output, and it is measured again."
@@ -304,7 +307,6 @@ SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or 
 SCAN_JOURNAL_IN_USE = Message(
     "Another scan is writing this output ({path}); wait until it has ended, or choose another output."
 )
-SCAN_JOURNAL_NOT_OPENED = Message("{path} can't be written ({error}); choose another folder for the output.")
 SCAN_JOURNAL_NOT_SAVED = Message(
     "{path} can't be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and "
     "start it again with the same output to go on."
@@ -313,13 +315,6 @@ SCAN_JOURNAL_NOT_READ = Message(
     "{path} can't be read any more ({error}); start it again with the same output, and what is damaged is "
     "measured again."
 )
-SCAN_OF_ANOTHER_VERSION = Message("the plugin's version", INFO)
-SCAN_OF_ANOTHER_MOSAIC = Message("the mosaic", INFO)
-SCAN_OF_OTHER_SOURCES = Message("the sources or one of their files", INFO)
-SCAN_OF_OTHER_PLACES = Message("where the mosaic or one of the sources lies", INFO)
-SCAN_WITH_OTHER_SETTINGS = Message("a setting", INFO)
-SCAN_OF_OTHER_SEAMS = Message("the seam lines", INFO)
-SCAN_OF_ANOTHER_KIND = Message("an input or a setting", INFO)
 SCAN_STOPPED = Message("The scan was stopped; started again with the same output it continues from here.", INFO)
 SCAN_LAYER_NOT_WRITTEN = Message(
     "The layer {name} can't be written. What was measured is saved; make room on the disk, or choose another file for "

@@ -10,13 +10,12 @@ import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from operator import attrgetter
 from pathlib import Path
 
 import numpy as np
 
-from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message
 from ....imagery.file_identity import check_is_file, refuse_overwriting
@@ -24,7 +23,7 @@ from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import Column, record_of, sentences_of, value_of
+from ....imagery.records import Column
 from .. import messages
 from ..blocks.block_grid import BlockKey
 from ..blocks.scan_settings import ScanSettings
@@ -300,5 +299,4 @@ def _patch_name(number: int) -> str:
     return _PATCHES.replace("*", f"{number + 1:04d}")
 
 
-_read = partial(value_of, MendedRun, sentences=sentences_of(imagery_messages, messages))
-_LOOK = BlockLook("run", mend_run, not_mended, record_of, _read, brief=attrgetter("fitting"))
+_LOOK = BlockLook("run", mend_run, not_mended, MendedRun, brief=attrgetter("fitting"))
