@@ -269,14 +269,6 @@ SEAM_FEATURES_ALL_BROKEN = Message(
 SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING
 )
-SEAM_POLYGONS_OVERLAP = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on "
-    "top, so no seam is measured there.", WARNING
-)
-SEAM_POLYGONS_GAPE = Message(
-    "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not "
-    "seams.", WARNING
-)
 SEAM_SOURCES_MISSING = Message(
     "Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).", WARNING
 )
@@ -412,10 +404,6 @@ MAY_BE_COPY = Message(
 MAY_BE_ALTERED_COPY = Message(
     "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "
     "the mosaic, it hides losses, so remove it from the sources.", INFO
-)
-MADE_OF_OTHERS = Message(
-    "{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It "
-    "hides losses, so remove it from the sources.", WARNING
 )
 ONE_IMAGE_IN_PARTS = Message(
     "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "
