@@ -41,9 +41,10 @@ WINDOWS_CROWDED = Message(
     "Left out because they would share more than half of their pixels with another window of the same seam: "
     "{count}.", WARNING
 )
-SEAMS_COVERED = Message("Seams that lie within windows of longer ones and have none of their own: {count}.", WARNING)
-SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.", WARNING)
-SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
+SEAMS_LEFT_OUT = Message(
+    "Seams without a window, as they lie within windows of longer ones or outside the mosaic, or are shorter than "
+    "{shortest:.2f} m: {count}.", WARNING
+)
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
 WINDOWS_PLACED_IN_PART = Message(
     "Windows placed along the seams: {count}. Some places have none; the log messages say why.", INFO
@@ -91,9 +92,6 @@ SEAM_UNEXPLAINED = Message(
 VERDICT_OF_THE_REST = Message(
     "{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. "
     "Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.", WARNING
-)
-OTHER_PIXEL_SIZE = Message(
-    "{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic's pixel size. {more}", WARNING
 )
 MORE_ALONG_THE_SEAM = Message(
     "Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources' detail: add those that it was made from.",
@@ -446,8 +444,6 @@ NOT_OF_A_SCAN = Message(
     "The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them."
 )
 NO_PIECES = Message("The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.")
-MENDING_STOPPED = Message(
-    "Mending was stopped; start it again with the same outputs to continue.", INFO
-)
+MENDING_STOPPED = Message("Mending was stopped; start it again with the same outputs to continue.", INFO)
 MENDING_GOES_ON = Message("Mending continues where it stopped; seams that are cut already: {done}.", INFO)
 NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

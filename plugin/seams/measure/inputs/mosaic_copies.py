@@ -48,21 +48,19 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
     copies = [n for n in on_mosaic if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])]
-    said = dict.fromkeys(copies, messages.COPY_AMONG_SOURCES)
+    doubtful: dict[int, Message] = {}
     if candidates := [n for n in on_mosaic if n not in copies]:
         comparison = _Comparison(mosaic, sources)
         for n in filter(comparison.is_alike, candidates):
-            is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
+            is_whole, is_shown, name = comparison.is_whole(n), comparison.is_shown_by_others(n), sources[n].ref.name
             if is_whole and is_shown:
-                said[n] = messages.COPY_AMONG_SOURCES
+                copies.append(n)
+            elif (is_whole or is_shown) and comparison.is_alike(n, ROUNDING):
+                doubtful[n] = messages.MAY_BE_COPY(name=name)  # as an orthoimage of the mosaic may be, or a part of it
             elif is_whole or is_shown:
-                is_equal = comparison.is_alike(n, ROUNDING)  # as an orthoimage of the mosaic may be, or a part of it
-                said[n] = messages.MAY_BE_COPY if is_equal else messages.MAY_BE_ALTERED_COPY
-    kept = [
-        replace(source, may_be_copy=n in said)
-        for n, source in enumerate(sources) if said.get(n) is not messages.COPY_AMONG_SOURCES
-    ]
-    return kept, [said[n](name=sources[n].ref.name) for n in sorted(said)]
+                doubtful[n] = messages.MAY_BE_ALTERED_COPY(name=name)
+    kept = [replace(source, may_be_copy=n in doubtful) for n, source in enumerate(sources) if n not in copies]
+    return kept, [*(messages.COPY_AMONG_SOURCES(name=sources[n].ref.name) for n in copies), *doubtful.values()]
 
 
 @dataclass(frozen=True, eq=False)

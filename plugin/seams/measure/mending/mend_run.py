@@ -83,7 +83,6 @@ class MendSettings:
 class RunRequest:
     """All that is needed to cut one run anew, in plain data that can cross threads and processes."""
 
-    numbers = ()
     key: tuple[int, int]
     """The run's number, and 0."""
     mosaic: Raster
@@ -102,7 +101,7 @@ class RunRequest:
 class MendedRun:
     """What became of it."""
 
-    reading, sources = ALL_READ, ()
+    reading = ALL_READ
     key: tuple[int, int]
     """Key of the request."""
     reason: Message | None = None

@@ -26,7 +26,7 @@ from ..following.boxes import enlarged
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import NONE, UNKNOWN
 from ..workers import Workers, in_order, unforeseen
-from .scan_journal import INCOMPLETE, ScanJournal, loaded, not_saved, save
+from .scan_journal import ScanJournal, loaded, not_saved, save
 from .scan_request import ScanRequest
 
 _AS_WELL, _LEAST_LEFT = 1.3, 0.002
@@ -38,8 +38,8 @@ _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 Request = Any
 """Has the ``key`` of its block."""
 Scan = Any
-"""Has the ``key`` of its block, the numbers of its ``sources``, its ``reading``, and ``notices``: what could not be
-read, which the block lacks."""
+"""Has the ``key`` of its block, its ``reading``, and ``notices``: what could not be read, which the block lacks until a
+later run measures it anew."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class ScanStep:
     key: BlockKey
     brief: Any
     notices: tuple[Message, ...] = ()
-    """What could not be read in it; a later run measures the block anew."""
+    """What could not be read in it."""
     reading: BlockReading = ALL_READ
     was_held: bool = False
     """Whether an earlier run has measured it."""
@@ -98,7 +98,7 @@ class JournaledBlocks:
                 raise not_saved(files, block.trouble)
             if block.record is not None:
                 self._journal.is_shared = False
-                save(files, _name(look, block.key, block.notices), block.record)
+                save(files, _name(look, block.key), block.record)
             self._done += 1
             self._timed += not block.was_held
             if block.was_held:  # by an earlier run, which began with the same blocks
@@ -110,13 +110,11 @@ class JournaledBlocks:
 
 
 def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanStep:
-    name, scan = _name(look, request.key), None
+    scan = None
     with suppress(SettingsError):  # damaged: it is measured again
-        scan = loaded(files, name, look.kind)
-    if scan is not None:
-        if (scan.key, scan.sources) == (request.key, request.numbers):
-            return ScanStep(scan.key, look.brief(scan), was_held=True)
-        files.forget(name)  # of no such block
+        scan = held(look, files, request.key)
+    if scan is not None and not scan.notices:  # which say what it lacks
+        return ScanStep(scan.key, look.brief(scan), was_held=True)
     try:
         scan = look.measure(request)
     except Exception as error:  # which costs this block only
@@ -133,7 +131,7 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
     record = record_of(scan, exact=True)
     step = ScanStep(scan.key, look.brief(scan), scan.notices, scan.reading)
     try:
-        files.save(_name(look, scan.key, scan.notices), record)
+        files.save(_name(look, scan.key), record)
     except FileNotFoundError:
         return replace(step, record=record)
     except OSError as error:
@@ -143,13 +141,11 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
 
 def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:
     """The scan that was kept of one block; None where there is none. Raises SettingsError as ``loaded`` does."""
-    names = _name(look, key), _name(look, key, INCOMPLETE)
-    return next((scan for name in names if (scan := loaded(files, name, look.kind)) is not None), None)
+    return loaded(files, _name(look, key), look.kind)
 
 
-def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
-    name = f"{look.name} {key[0]} {key[1]}"
-    return f"{INCOMPLETE} {name}" if lacks else name
+def _name(look: BlockLook, key: BlockKey) -> str:
+    return f"{look.name} {key[0]} {key[1]}"
 
 
 class BlockRun:

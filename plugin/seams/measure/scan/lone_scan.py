@@ -48,8 +48,6 @@ class LoneScan:
     """What could not be read; the block then lacks it."""
     reading: BlockReading = ALL_READ
     """What could be read."""
-    sources: tuple[int, ...] = ()
-    """None."""
 
     @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> LoneScan:

@@ -92,8 +92,6 @@ def _digest(items: Iterable[object]) -> str:
 
 
 _KIND = "Seam Inspector: journal of a scan"
-INCOMPLETE = "again"
-"""Begins the name of a block that lacks something; a later run measures it anew."""
 
 
 @contextmanager
@@ -128,7 +126,7 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
         raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
     if journal.was_of is not None and journal.was_of != fingerprint:
         return journal, messages.SCAN_ANEW()
-    done = sum(not name.startswith(INCOMPLETE) for name in journal.files.names)
+    done = len(journal.files.names)
     return journal, messages.SCAN_GOES_ON(done=done) if done else None
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.records import RecordFiles, packed, record_of, value_of
+from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
@@ -36,8 +37,7 @@ FOREIGN: dict[str, Callable[[bytes], bytes]] = {
     "noise": lambda record: np.random.default_rng(1).bytes(5000),
     "cut off": lambda record: record[: len(record) // 2],
     "no table": lambda record: packed({"key": np.array([0, 0])}),
-    "another block": changed(key=(0, 7)),
-    "another source": changed(sources=(7,)),
+    "what lacks something": changed(notices=(messages.SOURCE_WITHOUT_BAND(name="a", band="red"),)),
     "boundless": boundless,
 }
 
