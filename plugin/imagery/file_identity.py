@@ -12,7 +12,7 @@ import os
 import re
 import stat
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from hashlib import blake2b
@@ -214,16 +214,14 @@ def local_states(paths: Iterable[str]) -> dict[str, FileState]:
         return {file: state for file, state in zip(files, pool.map(local_state, files)) if state is not None}
 
 
-def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]:
+def known_states(paths: Collection[str], ask: bool = True) -> dict[str, FileState]:
     """``local_states``, and of remote rasters what their server says of them where it is to be asked. What nothing is
     known of has an empty digest."""
-    states: dict[str, FileState] = {}
-    for path in paths:
-        if is_remote(path):
-            states[path] = FileState(0, 0, remote_state(path) if ask else "")
-        else:
-            states.update(local_states([path]) or {path: FileState(0, 0, "")})
-    return states
+    remote, local = ([path for path in paths if is_remote(path) is there] for there in (True, False))
+    states = local_states(local)
+    states.update((path, FileState(0, 0, remote_state(path) if ask else "")) for path in remote)
+    unknown = (path for path in local if os.path.abspath(local_file(path)) not in states and not vrt_parts(path))
+    return {**states, **dict.fromkeys(unknown, FileState(0, 0, ""))}
 
 
 def content_of(path: str) -> str:

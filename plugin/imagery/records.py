@@ -24,8 +24,8 @@ import struct
 import sys
 import typing
 import zlib
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager, suppress
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
@@ -123,32 +123,21 @@ class NotUnderstoodError(Exception):
     """A record of another version, or by somebody else."""
 
 
-@contextmanager
-def understanding() -> Iterator[None]:
-    """Around the reading of a record: raises NotUnderstoodError whatever its bytes do."""
-    try:
-        yield
-    except NotUnderstoodError:
-        raise
-    except Exception as error:
-        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
-
-
-def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -> bytes:
-    """Arrays of numbers one after the other, those named in ``compressed`` deflated."""
+def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
+    """Arrays of numbers one after the other, deflated but for floats of full precision, which hardly get shorter."""
     parts, layout = [], []
     for name, array in arrays.items():
-        held = np.ascontiguousarray(array).tobytes()
-        if name in compressed:
+        held, is_compressed = np.ascontiguousarray(array).tobytes(), array.dtype.kind != "f" or array.itemsize == 2
+        if is_compressed:
             held = zlib.compress(held, _QUICK)
-        layout.append((name, array.dtype.str, array.shape, len(held), name in compressed))
+        layout.append((name, array.dtype.str, array.shape, len(held), is_compressed))
         parts.append(held)
     head = json.dumps(layout).encode()
     return b"".join([_LENGTH.pack(len(head)), head, *parts])
 
 
 def unpacked(record: bytes) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of; arrays can't be written to. Call it ``understanding``."""
+    """What ``packed`` made bytes of; arrays can't be written to. Raises whatever other bytes lead to."""
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
@@ -193,15 +182,18 @@ def record_of(value: object, exact: bool = False) -> bytes:
         raise TypeError(f"no record of {type(value).__name__}")
 
     text = json.dumps(value, default=plain, separators=(",", ":")).encode()
-    held = {_JSON: np.frombuffer(text, np.uint8), **arrays}
-    return packed(held, [name for name, array in held.items() if array.dtype.kind != "f" or array.itemsize == 2])
+    return packed({_JSON: np.frombuffer(text, np.uint8), **arrays})
 
 
 def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any:
     """The instance of a dataclass; ``sentences`` are the known ones, by template. Raises NotUnderstoodError."""
-    with understanding():
+    try:
         arrays = unpacked(record)
         return _Reader(arrays, sentences).read(kind, json_document(arrays[_JSON].tobytes()))
+    except NotUnderstoodError:
+        raise
+    except Exception as error:  # whatever its bytes do
+        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
 
 
 @cache

@@ -13,10 +13,10 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from ....imagery.clips import read_clip
+from ....imagery.clips import covered_share, read_clip
 from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_paths import vrt_parts
-from ....imagery.grids import Extent, PixelWindow
+from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
@@ -175,12 +175,3 @@ def _windows(mosaic: Raster) -> Iterator[PixelWindow]:
         for size, side, count in zip(sizes, (height, width), counts)
     )
     return (PixelWindow(column, row, width, height) for row in rows for column in columns)
-
-
-def covered_share(first: Extent, second: Extent) -> float:
-    """What a second rectangle has of the first, as a share of that; 0 where that has no area, as where its pixels are
-    smaller than coordinates can tell apart."""
-    width = min(first[2], second[2]) - max(first[0], second[0])
-    height = min(first[3], second[3]) - max(first[1], second[1])
-    area = (first[2] - first[0]) * (first[3] - first[1])
-    return max(width, 0.0) * max(height, 0.0) / area if area > 0 else 0.0
