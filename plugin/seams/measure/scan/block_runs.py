@@ -167,9 +167,8 @@ class BlockRun:
             numbers = global_numbers(sources)
             squares[place_of(step.key, SQUARES)] = numbers[followed]
             self._wanted[place_of(step.key, UNITS)] = wanted
-            if learned is not None:
-                for place, taps in learned.taps.items():
-                    self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
+            for place, taps in learned.taps.items():
+                self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
             yield step
         if not workers.cancelled():
             # And at the borders of blocks what only neighbours together show.
