@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4673, 0, 0),
-    "plugin/seams/measure": Measures(16620, 1, 0),
+    "plugin/seams/measure": Measures(16610, 1, 0),
     "plugin/seams": Measures(12999, 0, 0),
     "plugin/acceptance": Measures(5393, 1, 0),
     "plugin/toolkit": Measures(4469, 0, 0),
