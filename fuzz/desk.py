@@ -21,13 +21,12 @@ from qgis.PyQt.QtCore import QObject
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.records import NotUnderstoodError
+from seam_inspector.plugin.imagery.records import NotUnderstoodError, record_of, value_of
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import load_inputs, save_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
 from seam_inspector.plugin.seams.measure.source_images import Source
@@ -96,7 +95,7 @@ def _go_on_with_scan(path: Path, feedback: QgsProcessingFeedback) -> None:
         feedback.pushWarning(sentence(notice))
     with suppress(OSError, NotUnderstoodError):
         if (record := journal.files.load(BLOCK)) is not None:
-            scan_of(record)
+            value_of(BlockScan, record, {})
     journal.close()
 
 
@@ -114,7 +113,7 @@ def make_folder(folder: Path, windows: Path) -> None:
     window_file.store(path, [window_file.StoredResult(1, "fingerprint", _inspected(folder.parent))])
     window_file.note_mosaic(path, window_file.KnownMosaic("mosaic.tif", "content"))
     journal, _ = open_journal(folder / SCAN, FINGERPRINT)
-    journal.files.save(BLOCK, record_of(_scanned(folder.parent / "scan")))
+    journal.files.save(BLOCK, record_of(_scanned(folder.parent / "scan"), exact=True))
     journal.close()
 
 

@@ -214,7 +214,7 @@ def _parser() -> argparse.ArgumentParser:
     mending = command("mend", _mend, "Cut failed seams anew.", _CUTS)
     mending.add_argument("--seams", required=True, help="GeoPackage of the scan")
     mending.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
-    mending.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")
+    mending.add_argument("--patches", default="", help="folder for the patches")
     mending.add_argument("--which", choices=MENDED_SEAMS, default=FAILED)
     cut, beside = MendSettings(), "on either side of a seam, that its new cut may move"
     mending.add_argument("--width", type=float, default=cut.width_m, metavar="METRES", help=beside)

@@ -155,7 +155,7 @@ def mend(
     settings : MendSettings, optional
         The standard ones where None.
     patches : path, optional
-        A folder for the patches, or one GeoTIFF for all of them; beside ``mended`` where empty.
+        A folder for the patches; beside ``mended`` where empty.
     which : str
         ``failed``, ``reduced`` for those too that measurably lost something, or ``all``.
     executor, progress, cancelled : optional
@@ -175,8 +175,7 @@ def mend(
     place = Path(mended)
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
     read = [*block.paths, *([] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]])]
-    single = {"patches": (folder, ())} if Path(folder).suffix else {}
-    check_writing({"mended": (os.fspath(mended), VRT), **single}, read)
+    check_writing({"mended": (os.fspath(mended), VRT)}, read)
     rows, notes = read_seams(seams)
     if notes:
         check_scanned(notes, block)

@@ -15,7 +15,7 @@ from scipy import ndimage
 from . import limits, messages
 from .errors import NotCoveredError, RasterError, Stated
 from .gdal_calls import gdal_call
-from .grids import Extent, Grid, NumberedWindow, PixelWindow, middle_of
+from .grids import Extent, NumberedWindow, PixelWindow, middle_of
 from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import MAX_SYSTEM_SHIFT_PX, Raster
 from .reference_systems import extent_on, same_coordinates
@@ -41,10 +41,10 @@ def extent_on_image(extent: Extent, wkt: str, image: Raster) -> Extent | None:
         return None
 
 
-def shown_share(grid: Grid, extent: Extent) -> float:
-    """How much of an extent a grid covers."""
-    shared = shared_extent(grid.extent, extent)
-    whole = (extent[2] - extent[0]) * (extent[3] - extent[1])
+def covered_share(extent: Extent, other: Extent) -> float:
+    """How much of an extent another one covers; 0 where it has no area, as where its pixels are smaller than
+    coordinates can tell apart."""
+    shared, whole = shared_extent(extent, other), (extent[2] - extent[0]) * (extent[3] - extent[1])
     return (shared[2] - shared[0]) * (shared[3] - shared[1]) / whole if shared is not None and whole > 0 else 0.0
 
 

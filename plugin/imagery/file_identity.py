@@ -12,7 +12,7 @@ import os
 import re
 import stat
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from hashlib import blake2b
@@ -168,10 +168,11 @@ _MOST_WHOLE = 64_000_000  # bytes of a file of which each is looked at
 _STRETCH_BYTES, _LOOK_BYTES = 1 << 17, 1 << 12
 """A larger file has one look in each stretch: it may change with its size and time kept."""
 _LOOK_STEP = 78_479  # from a look's place in its stretch to the next's: no rows and tiles keep pace with that
-OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames", "SourceProperties"
-"""What QGIS writes, or leaves out, when it first shows a raster, such as statistics, changes no pixel."""
 _MOST_PARSED = 20_000_000  # bytes of a VRT
-_NO_CONSEQUENCE = re.compile(rb"<(%s)\b(?:[^>]*/>|.*?</\1>)" % "|".join(OF_NO_CONSEQUENCE).encode(), re.S)
+_NO_CONSEQUENCE = re.compile(
+    rb"<(Metadata|Histograms|Description|CategoryNames|SourceProperties)\b(?:[^>]*/>|.*?</\1>)", re.S
+)
+"""What QGIS writes, or leaves out, when it first shows a raster, such as statistics, changes no pixel."""
 _FOLDERS = re.compile(rb"<(SourceFilename|SourceDataset)\b[^>]*>(?:[^<]*[\\/])?")
 
 
@@ -213,16 +214,14 @@ def local_states(paths: Iterable[str]) -> dict[str, FileState]:
         return {file: state for file, state in zip(files, pool.map(local_state, files)) if state is not None}
 
 
-def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]:
+def known_states(paths: Collection[str], ask: bool = True) -> dict[str, FileState]:
     """``local_states``, and of remote rasters what their server says of them where it is to be asked. What nothing is
     known of has an empty digest."""
-    states: dict[str, FileState] = {}
-    for path in paths:
-        if is_remote(path):
-            states[path] = FileState(0, 0, remote_state(path) if ask else "")
-        else:
-            states.update(local_states([path]) or {path: FileState(0, 0, "")})
-    return states
+    remote, local = ([path for path in paths if is_remote(path) is there] for there in (True, False))
+    states = local_states(local)
+    states.update((path, FileState(0, 0, remote_state(path) if ask else "")) for path in remote)
+    unknown = (path for path in local if os.path.abspath(local_file(path)) not in states and not vrt_parts(path))
+    return {**states, **dict.fromkeys(unknown, FileState(0, 0, ""))}
 
 
 def content_of(path: str) -> str:

@@ -13,7 +13,6 @@
 from __future__ import annotations
 
 import ast
-import builtins
 import dataclasses
 import errno
 import json
@@ -25,8 +24,8 @@ import struct
 import sys
 import typing
 import zlib
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager, suppress
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
@@ -124,32 +123,21 @@ class NotUnderstoodError(Exception):
     """A record of another version, or by somebody else."""
 
 
-@contextmanager
-def understanding() -> Iterator[None]:
-    """Around the reading of a record: raises NotUnderstoodError whatever its bytes do."""
-    try:
-        yield
-    except NotUnderstoodError:
-        raise
-    except Exception as error:
-        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
-
-
-def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -> bytes:
-    """Arrays of numbers one after the other, those named in ``compressed`` deflated."""
+def packed(arrays: Mapping[str, np.ndarray]) -> bytes:
+    """Arrays of numbers one after the other, deflated but for floats of full precision, which hardly get shorter."""
     parts, layout = [], []
     for name, array in arrays.items():
-        held = np.ascontiguousarray(array).tobytes()
-        if name in compressed:
+        held, is_compressed = np.ascontiguousarray(array).tobytes(), array.dtype.kind != "f" or array.itemsize == 2
+        if is_compressed:
             held = zlib.compress(held, _QUICK)
-        layout.append((name, array.dtype.str, array.shape, len(held), name in compressed))
+        layout.append((name, array.dtype.str, array.shape, len(held), is_compressed))
         parts.append(held)
     head = json.dumps(layout).encode()
     return b"".join([_LENGTH.pack(len(head)), head, *parts])
 
 
 def unpacked(record: bytes) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of; arrays can't be written to. Call it ``understanding``."""
+    """What ``packed`` made bytes of; arrays can't be written to. Raises whatever other bytes lead to."""
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
@@ -170,8 +158,9 @@ _WORDS = (type(None), bool, int, float, str, tuple, Message, np.generic)
 """What goes into a sentence; paths and errors as they are shown."""
 
 
-def record_of(value: object) -> bytes:
-    """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those."""
+def record_of(value: object, exact: bool = False) -> bytes:
+    """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those; ``exact``:
+    arrays of float32 to the last digit."""
     arrays: dict[str, np.ndarray] = {}
 
     def plain(value: Any) -> Any:
@@ -181,7 +170,7 @@ def record_of(value: object) -> bytes:
             return value.item()
         if isinstance(value, np.ndarray):
             name = str(len(arrays))
-            arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
+            arrays[name] = value.astype(np.float16) if value.dtype == np.float32 and not exact else value
             return name
         if isinstance(value, Message):
             words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
@@ -193,15 +182,18 @@ def record_of(value: object) -> bytes:
         raise TypeError(f"no record of {type(value).__name__}")
 
     text = json.dumps(value, default=plain, separators=(",", ":")).encode()
-    held = {_JSON: np.frombuffer(text, np.uint8), **arrays}
-    return packed(held, held)
+    return packed({_JSON: np.frombuffer(text, np.uint8), **arrays})
 
 
 def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any:
     """The instance of a dataclass; ``sentences`` are the known ones, by template. Raises NotUnderstoodError."""
-    with understanding():
+    try:
         arrays = unpacked(record)
         return _Reader(arrays, sentences).read(kind, json_document(arrays[_JSON].tobytes()))
+    except NotUnderstoodError:
+        raise
+    except Exception as error:  # whatever its bytes do
+        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
 
 
 @cache
@@ -227,7 +219,8 @@ class _Reader:
             if type(plain) is list and len(kinds) == len(plain):
                 return tuple(map(self.read, kinds, plain))
         elif isinstance(origin, type) and issubclass(origin, Mapping):
-            return {self.read(inner[0], key): self.read(inner[1], item) for key, item in plain.items()}
+            keys = map(int, plain) if inner[0] is int else plain  # which JSON makes words of
+            return {self.read(inner[0], key): self.read(inner[1], item) for key, item in zip(keys, plain.values())}
         else:
             return self._single(kind, plain)
         raise NotUnderstoodError(repr(plain)[:80])
@@ -266,8 +259,12 @@ class _Reader:
 @cache
 def _annotations(kind: type) -> dict[str, Any]:
     """The kinds of a class's fields. Python 3.9 does not know ``int | None`` of its own annotations."""
-    names = {**vars(builtins), **vars(sys.modules[kind.__module__])}
-    return {name: _kind(ast.parse(text, mode="eval").body, names) for name, text in kind.__annotations__.items()}
+    names: dict[str, Any] = {}
+    for base in reversed(kind.__mro__):  # object brings what is built in
+        names.update(vars(sys.modules[base.__module__]))
+    return {
+        field.name: _kind(ast.parse(str(field.type), mode="eval").body, names) for field in dataclasses.fields(kind)
+    }
 
 
 def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:

@@ -21,7 +21,7 @@ from qgis.core import (
 )
 
 from ..imagery import messages as imagery_messages
-from ..imagery.clips import DrawnWindow, extent_on_image, shown_share
+from ..imagery.clips import DrawnWindow, covered_share, extent_on_image
 from ..imagery.errors import CancelledError, Message, SeamInspectorError, WindowError
 from ..imagery.grids import PixelWindow, snap_window
 from ..imagery.open_raster import OpenRaster
@@ -179,7 +179,7 @@ def jobs_on(
                     raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
                 extent = extent_on_image(window.extent, window.wkt, image)
                 pixels = None
-                if extent is not None and shown_share(image.grid, extent):
+                if extent is not None and covered_share(extent, image.grid.extent):
                     pixels = snap_window(image.grid, extent, levels=0)
             except WindowError as error:
                 name, why = image.ref.name, error.message

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.clips import DrawnWindow, extent_on_image, shared_extent, shown_share
+from ...imagery.clips import DrawnWindow, covered_share, extent_on_image, shared_extent
 from ...imagery.errors import Message, RasterError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.open_raster import OpenRaster
@@ -88,7 +88,7 @@ def plan_drawn(
             for member in images
             if member.image.is_north_up
             for extent in (extent_on_image(drawn.extent, drawn.wkt, member.image),)
-            if extent is not None and (share := shown_share(member.image.grid, extent)) > 0
+            if extent is not None and (share := covered_share(extent, member.image.grid.extent)) > 0
         ]
         mostly = [entry for entry in shown if entry[2] >= MIN_PAIRED_SHARE]
         taken = [(member, extent) for member, extent, _ in mostly or shown]
@@ -271,7 +271,7 @@ def _shared_region(image: Raster, others: Sequence[Raster]) -> PixelWindow:
 def _window_on(image: Raster, window: PixelWindow, other: Raster, levels: int) -> PixelWindow | None:
     """The pixels of another image that show a window; None when it does not show all of it."""
     extent = extent_on_image(image.grid.window_extent(window), image.wkt, other)
-    if extent is None or shown_share(other.grid, extent) < 1 - imagery_limits.MAX_INVALID_SHARE:
+    if extent is None or covered_share(extent, other.grid.extent) < 1 - imagery_limits.MAX_INVALID_SHARE:
         return None
     try:
         return snap_window(other.grid, extent, levels)

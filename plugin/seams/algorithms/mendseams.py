@@ -66,8 +66,7 @@ class MendSeams(SeamInspectorAlgorithm):
         ), advanced=True)
         self.addDescribed(*common.scheduler(), advanced=True)
         self.addDescribed(QgsProcessingParameterFolderDestination(PATCHES, tr("Patches")), tr(
-            "A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of "
-            "them."
+            "A folder for the patches, cloud-optimised GeoTIFFs with an alpha band."
         ))
         self.addDescribed(common.made_file(MENDED, tr("Mended mosaic"), "VRT (*.vrt)"), tr(
             "A virtual raster: the mosaic with the patches on top. It refers to both, so leave both there."

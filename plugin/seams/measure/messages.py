@@ -41,9 +41,10 @@ WINDOWS_CROWDED = Message(
     "Left out because they would share more than half of their pixels with another window of the same seam: "
     "{count}.", WARNING
 )
-SEAMS_COVERED = Message("Seams that lie within windows of longer ones and have none of their own: {count}.", WARNING)
-SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.", WARNING)
-SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
+SEAMS_LEFT_OUT = Message(
+    "Seams without a window, as they lie within windows of longer ones or outside the mosaic, or are shorter than "
+    "{shortest:.2f} m: {count}.", WARNING
+)
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}; there already: {there}.", INFO)
 NO_RECTANGLE = Message(
     "Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a "
@@ -83,9 +84,6 @@ SEAM_UNEXPLAINED = Message(
 VERDICT_OF_THE_REST = Message(
     "{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. "
     "Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.", WARNING
-)
-OTHER_PIXEL_SIZE = Message(
-    "{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic's pixel size. {more}", WARNING
 )
 MORE_ALONG_THE_SEAM = Message(
     "Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources' detail: add those that it was made from.",
@@ -261,14 +259,6 @@ SEAM_FEATURES_ALL_BROKEN = Message(
 SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING
 )
-SEAM_POLYGONS_OVERLAP = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on "
-    "top, so no seam is measured there.", WARNING
-)
-SEAM_POLYGONS_GAPE = Message(
-    "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not "
-    "seams.", WARNING
-)
 SEAM_SOURCES_MISSING = Message(
     "Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).", WARNING
 )
@@ -287,7 +277,10 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
 )
 # the journal of a scan that can go on where it stopped
 SCAN_GOES_ON = Message("The scan continues where it stopped; blocks that are done already: {done}.", INFO)
-SCAN_ANEW = Message("The scan starts from the beginning, as {what} changed since it stopped.", WARNING)
+SCAN_ANEW = Message(
+    "The scan starts from the beginning, as one of its files, a setting or the plugin's version changed since it "
+    "stopped.", WARNING
+)
 SCAN_INPUT_CHANGED = Message(
     "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
     "with the same output, and it is measured again."
@@ -296,7 +289,6 @@ SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or 
 SCAN_JOURNAL_IN_USE = Message(
     "Another scan is writing this output ({path}); wait until it has ended, or choose another output."
 )
-SCAN_JOURNAL_NOT_OPENED = Message("{path} can't be written ({error}); choose another folder for the output.")
 SCAN_JOURNAL_NOT_SAVED = Message(
     "{path} can't be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and "
     "start it again with the same output to go on."
@@ -305,13 +297,6 @@ SCAN_JOURNAL_NOT_READ = Message(
     "{path} can't be read any more ({error}); start it again with the same output, and what is damaged is "
     "measured again."
 )
-SCAN_OF_ANOTHER_VERSION = Message("the plugin's version", INFO)
-SCAN_OF_ANOTHER_MOSAIC = Message("the mosaic", INFO)
-SCAN_OF_OTHER_SOURCES = Message("the sources or one of their files", INFO)
-SCAN_OF_OTHER_PLACES = Message("where the mosaic or one of the sources lies", INFO)
-SCAN_WITH_OTHER_SETTINGS = Message("a setting", INFO)
-SCAN_OF_OTHER_SEAMS = Message("the seam lines", INFO)
-SCAN_OF_ANOTHER_KIND = Message("an input or a setting", INFO)
 SCAN_STOPPED = Message("The scan was stopped; started again with the same output it continues from here.", INFO)
 SCAN_LAYER_NOT_WRITTEN = Message(
     "The layer {name} can't be written. What was measured is saved; make room on the disk, or choose another file for "
@@ -410,10 +395,6 @@ MAY_BE_ALTERED_COPY = Message(
     "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "
     "the mosaic, it hides losses, so remove it from the sources.", INFO
 )
-MADE_OF_OTHERS = Message(
-    "{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It "
-    "hides losses, so remove it from the sources.", WARNING
-)
 ONE_IMAGE_IN_PARTS = Message(
     "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "
     "as one.", INFO
@@ -455,8 +436,6 @@ NOT_OF_A_SCAN = Message(
     "The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them."
 )
 NO_PIECES = Message("The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.")
-MENDING_STOPPED = Message(
-    "Mending was stopped; start it again with the same outputs to continue.", INFO
-)
+MENDING_STOPPED = Message("Mending was stopped; start it again with the same outputs to continue.", INFO)
 MENDING_GOES_ON = Message("Mending continues where it stopped; seams that are cut already: {done}.", INFO)
 NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

@@ -11,7 +11,7 @@ from pathlib import PurePath
 import numpy as np
 from osgeo import ogr
 
-from ...imagery.grids import Extent, Grid, PixelWindow, extents_meet
+from ...imagery.grids import Extent, Grid, PixelWindow
 from ...imagery.lines import burnt
 
 UNKNOWN = 255
@@ -30,11 +30,6 @@ class Cell:
     """Polygon in the mosaic's reference system."""
     extent: Extent
     """Its bounding box."""
-
-
-def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
-    """Cells whose bounding box meets a rectangle."""
-    return tuple(cell for cell in cells if extents_meet(cell.extent, extent))
 
 
 def cell_labels(

@@ -214,16 +214,12 @@ def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:
     """Places in the pixels that two rasters on one grid share, in the pixels of each."""
-    column = round(first.grid.column_at(second.grid.left))
-    row = round(first.grid.row_at(second.grid.top))
-    left, top = max(column, 0), max(row, 0)
-    columns = min(first.columns, column + second.columns) - left
-    rows = min(first.rows, row + second.rows) - top
-    if min(columns, rows) <= 0:
-        return
-    width, height = min(_SIDE_PX, columns), min(_SIDE_PX, rows)
-    for down, across in product(np.linspace(0, 1, _PLACES), repeat=2):
-        place = PixelWindow(left + int(across * (columns - width)), top + int(down * (rows - height)), width, height)
+    column, row = round(first.grid.column_at(second.grid.left)), round(first.grid.row_at(second.grid.top))
+    shared = PixelWindow(column, row, second.columns, second.rows).cut_to(first.columns, first.rows)
+    width, height = min(_SIDE_PX, shared.width), min(_SIDE_PX, shared.height)
+    for down, across in product(np.linspace(0, 1, _PLACES), repeat=2) if width and height else ():
+        place = shared.moved_by(int(across * (shared.width - width)), int(down * (shared.height - height)))
+        place = replace(place, width=width, height=height)
         yield place, place.moved_by(-column, -row)
 
 

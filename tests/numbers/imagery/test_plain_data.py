@@ -73,7 +73,7 @@ def test_pictures_come_back_to_a_two_thousandth_and_holes_stay() -> None:
 
 
 def json_record(text: str) -> bytes:
-    return packed({"json": np.frombuffer(text.encode(), np.uint8)}, ["json"])
+    return packed({"json": np.frombuffer(text.encode(), np.uint8)})
 
 
 SAID = '{"template":"FAR","level":"error","values":VALUES}'.replace("FAR", FAR.template)
@@ -117,7 +117,7 @@ def test_any_bytes_are_refused(record: bytes) -> None:
 
 
 def test_pickles_and_bombs_are_refused() -> None:
-    huge = packed({"json": np.zeros(2**20, np.uint8)}, ["json"]).replace(b"1048576", b"10485_6")
+    huge = packed({"json": np.zeros(2**20, np.uint8)}).replace(b"1048576", b"10485_6")
     for record in (pickle.dumps(Bomb()), huge, packed({"json": np.zeros(8, "f8")})):
         with pytest.raises(NotUnderstoodError):
             value_of(Whole, record, SENTENCES)

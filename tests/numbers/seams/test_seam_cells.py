@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN, Cell, cell_labels, cells_over
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN, Cell, cell_labels
 
 GRID = Grid(500000.0, 5000000.0, 0.1, 0.2, 1000, 800)
 WINDOW = PixelWindow(100, 200, 64, 48)
@@ -52,14 +52,3 @@ def test_a_cell_of_a_source_that_takes_no_part_says_nothing(name: str) -> None:
     assert (labels(box(name, 0, 0, 64, 48)) == UNKNOWN).all()
     known = labels(box("east", 0, 0, 64, 48), box(name, 10, 10, 20, 20))
     assert (known == 1).all()
-
-
-@pytest.mark.parametrize("corners", [(-9, 0, 0, 48), (64, 0, 70, 48), (0, -9, 64, 0), (0, 48, 64, 60)])
-def test_a_cell_that_touches_a_rectangle_at_any_side_is_not_over_it(corners: tuple[float, ...]) -> None:
-    extent = GRID.window_extent(WINDOW)
-    rounded = [tuple(round(value, 6) for value in corners_m) for corners_m in (extent, box("west", *corners).extent)]
-    beside = Cell("west", b"", rounded[1])
-    assert cells_over([beside], rounded[0]) == ()
-    left, top, right, bottom = corners
-    overlapping = box("west", left - 1, top - 1, right + 1, bottom + 1)
-    assert cells_over([overlapping], rounded[0]) == (overlapping,)

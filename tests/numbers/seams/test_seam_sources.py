@@ -138,19 +138,6 @@ def test_a_source_of_another_pixel_size_is_shown_and_does_not_count(
     }
 
 
-def test_where_a_source_of_other_pixels_is_missed_its_pixel_size_is_said_first(
-    make_raster: MakeRaster, sources: list[np.ndarray]
-) -> None:
-    mosaic, fine = mosaic_of(make_raster, blended(sources, 0)), make_raster("a.tif", sources[0])
-    alone = inspect(block_of(mosaic, fine), WHOLE).judgement
-    coarse = make_raster("coarse.tif", coarser(sources[1]), gsd=0.2)
-    both = inspect(block_of(mosaic, fine, coarse), WHOLE).judgement
-    assert str(both.reason) == (
-        f"coarse.tif has pixels of 0.2 m and the mosaic of 0.1 m; give it at the mosaic's pixel size. {alone.reason}"
-    )
-    assert "check their dates, and add the missing one" in str(alone.reason)
-
-
 def test_where_all_are_resampled_the_verdict_says_so(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
     fine = [np.kron(source, np.ones((1, 2, 2), np.uint8)) for source in sources[:2]]
     mosaic = mosaic_of(make_raster, blended(sources, 40))

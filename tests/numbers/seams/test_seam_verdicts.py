@@ -221,5 +221,4 @@ def test_logic_reads_a_code_and_no_sentence() -> None:
     assert code(None) == code(seams_messages.NO_SEAM()) == ""
     doubtful = seams_messages.MAY_BE_SIGNIFICANT(low=35.0, high=94.0)
     assert code(doubtful) == MAY_BE_SIGNIFICANT
-    assert code(seams_messages.OTHER_PIXEL_SIZE(name="a", pixel=1, own=2, more=doubtful)) == MAY_BE_SIGNIFICANT
     assert code(seams_messages.VERDICT_OF_THE_REST(share=9.9)) == OF_THE_REST

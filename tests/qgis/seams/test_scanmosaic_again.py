@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.records import RecordFiles
+from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.scan import loss_raster
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 
@@ -165,12 +166,10 @@ def test_a_changed_setting_or_input_starts_anew_and_says_so(files: Files, tmp_pa
     results = tmp_path / "results"
     scan(other_scene, results, StopAt(1.0))
     changed = scan(other_scene, results, StopAt(1.0), CELL=64)
-    assert changed.log.warnings == ["The scan starts from the beginning, as a setting changed since it stopped."]
+    assert changed.log.warnings == [str(messages.SCAN_ANEW())]
     os.utime(other_scene.west, ns=(1, 1))
     touched = scan(other_scene, results, CELL=64)
-    assert touched.log.warnings == [
-        "The scan starts from the beginning, as the sources or one of their files changed since it stopped."
-    ]
+    assert touched.log.warnings == [str(messages.SCAN_ANEW())]
     assert touched.complaint is None
     assert not (results / "loss.tif.scan").exists()
 

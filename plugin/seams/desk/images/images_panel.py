@@ -12,10 +12,10 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QComboBox, QFrame, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
+from ....imagery.clips import covered_share
 from ....toolkit.desk.widgets import ClippedLabel, single_shot
 from ....toolkit.reference_systems import known_system
 from ....toolkit.translation import filled, sentence, tr
-from ...measure.inputs.mosaic_copies import covered_share
 from ..map.hard_cut import Compared, ComparedLayer, looks_alike
 from ..map.lost_detail import PictureOverlay, loss_of, placed_picture
 from ..map.window_view import WindowOutline, WindowView

@@ -142,8 +142,6 @@ def measure_plain(
     block = pixels.window
     rows, columns = -(-block.height // SQUARE_PX) * SQUARE_PX, -(-block.width // SQUARE_PX) * SQUARE_PX
     window = replace(block, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
-    if look.learned is None:
-        return CellTable.empty(levels)
     source = np.where(is_one_of(look.source, look.learned.taps), look.source, np.uint8(UNKNOWN))
     numbers = present(source)
     if not numbers:

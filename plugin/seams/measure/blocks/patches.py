@@ -53,6 +53,8 @@ _FARTHEST_FILLED = 1.5  # squares
 _MANY = 100  # patches
 _ROUNDS = 3  # in which a filter is learned without the patches that it explains worst
 _OUTLYING = 3.0  # times what is left over of most patches
+UNLEARNED = Learned({}, {})
+"""What is learned where no patch tells anything."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,8 +67,8 @@ class SquareLook:
     """bool: where a patch shows more than one source, or none for sure."""
     cells: CellTable
     """One cell of each patch that follows one source for sure, finest level only."""
-    learned: Learned | None = None
-    """What came over the mosaic here; None where it is not known."""
+    learned: Learned = UNLEARNED
+    """What came over the mosaic here."""
     plain: np.ndarray | bool = False
     """bool: those whose patch has no texture to tell a source by."""
 
@@ -201,8 +203,7 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     shape = len(squares), 1
     valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
-    if look.learned is not None:
-        fines = {i: look.learned.applied(i, fine) for i, fine in fines.items()}
+    fines = {i: look.learned.applied(i, fine) for i, fine in fines.items()}
     followed = _followed(high_pass(planes.mosaic), fines, planes, shape)
     middles[tuple(squares.T)] = np.where(followed.sure & valid, followed.source, UNKNOWN)[:, 0]
     return middles

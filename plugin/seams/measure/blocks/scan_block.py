@@ -36,7 +36,7 @@ from .block_grid import (
 )
 from .block_parts import BLOCK_MARGIN_PX, SAMPLED, DensePart, measure_part, measure_plain
 from .block_pixels import ALL_READ, BlockPixels, BlockReading
-from .patches import SquareLook, look_at_squares, middle_sources
+from .patches import UNLEARNED, SquareLook, look_at_squares, middle_sources
 from .scan_settings import ScanSettings
 
 REACH_PX = 4.0 * BESIDE_PX
@@ -113,7 +113,7 @@ class BlockScan:
     ground: np.ndarray
     """(UNITS, UNITS) int16: number of the source that most of a unit follows, or ``LACKING``, ``EMPTY`` or
     ``PLAIN``."""
-    learned: Learned | None = None
+    learned: Learned = UNLEARNED
     """What its patches tell of what came over the mosaic."""
     notices: tuple[Message, ...] = ()
     """What could not be read; the block then lacks it."""
@@ -297,7 +297,7 @@ class _Block:
         self._scan, self._window = BlockScan.empty(request), request.window
         self._valid = np.ones((LABELS, LABELS), bool)
         self._plain = np.zeros((SQUARES, SQUARES), bool)
-        self._learned: Learned | None = None
+        self._learned = UNLEARNED
         self._tables, self._mixtures = [self._scan.cells], [self._scan.beside]
 
     def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:

@@ -1,25 +1,22 @@
 """Copies of a mosaic among its sources: they would explain all of it, and hide every loss.
 
 A copy has pixels wherever the mosaic has, is like it in every place, and other sources are like it too, each in some
-places. No true orthoimage is all of that; what is some of it takes part, and is told. So is an image that others
-explain wherever it lies, with less detail than they have: a blurred mosaic, or a mean of orthoimages.
+places. No true orthoimage is all of that; what is some of it takes part, and is told.
 """
 from __future__ import annotations
 
 import os
-from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 
-from ....imagery.clips import read_clip
+from ....imagery.clips import covered_share, read_clip
 from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_paths import vrt_parts
-from ....imagery.grids import Extent, PixelWindow
+from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
@@ -39,19 +36,7 @@ MOST_MISSING = 0.05  # of a patch, where the mosaic has pixels and a copy has no
 MOST_LACKING = 0.08
 LEAST_UNLIKE = 0.25  # Brighton: all orthoimages lack more somewhere, by 0.96 and more
 ROUNDING = 0.0005  # is lacking where values were scaled
-# Share of an image's detail that 3 x 3 px of the others explain. Brighton and PackO, lossless or JPEG 75: of a mosaic
-# blurred by 0.7 to 3 px, or a mean, 0.85 in nine places of ten, of an orthoimage less than 0.25 in one of ten.
-LEAST_EXPLAINED = 0.9
-MOST_ELSEWHERE = 0.15  # of the places, that a thing of others may be unlike them, as where one of them is not given
-FEWEST_EXPLAINED = 8  # places
-MOST_OTHERS = 6  # images that explain one at a place, those most alike
-LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that is given twice hides nothing
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
-
-
-_COPY, _EQUAL, _LIKE, _OF_OTHERS = range(4)
-"""What a source may be to the mosaic: a copy; the mosaic wherever they were compared, as one of its orthoimages may be,
-or a copy of it or of a part of it; nearly so; explained by other sources wherever it lies, with less detail."""
 
 
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
@@ -60,35 +45,22 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     Those on a tenth of the mosaic or more are opened and compared with it in up to 72 places; others where one of
     these is like it.
     """
-    kinds: dict[int, int] = {}
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
     copies = [n for n in on_mosaic if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])]
-    candidates = [n for n in on_mosaic if n not in copies]
-    if candidates:
+    doubtful: dict[int, Message] = {}
+    if candidates := [n for n in on_mosaic if n not in copies]:
         comparison = _Comparison(mosaic, sources)
         for n in filter(comparison.is_alike, candidates):
-            is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
+            is_whole, is_shown, name = comparison.is_whole(n), comparison.is_shown_by_others(n), sources[n].ref.name
             if is_whole and is_shown:
-                kinds[n] = _COPY
+                copies.append(n)
+            elif (is_whole or is_shown) and comparison.is_alike(n, ROUNDING):
+                doubtful[n] = messages.MAY_BE_COPY(name=name)  # as an orthoimage of the mosaic may be, or a part of it
             elif is_whole or is_shown:
-                kinds[n] = _EQUAL if comparison.is_alike(n, ROUNDING) else _LIKE
-        others = {n for n in range(len(sources)) if n not in copies and kinds.get(n) != _COPY}
-        while soft := [
-            (sharpness, n) for n in candidates if n in others
-            and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
-        ]:
-            softest = min(soft)[1]
-            others.remove(softest)  # which does not explain what it was made of
-            kinds[softest] = _OF_OTHERS
-    kinds.update(dict.fromkeys(copies, _COPY))
-    named = [[sources[n].ref.name for n in sorted(kinds) if kinds[n] == kind] for kind in range(4)]
-    return [replace(source, may_be_copy=n in kinds) for n, source in enumerate(sources) if kinds.get(n) != _COPY], [
-        *(messages.COPY_AMONG_SOURCES(name=name) for name in named[_COPY]),
-        *(messages.MAY_BE_COPY(name=name) for name in named[_EQUAL]),
-        *(messages.MAY_BE_ALTERED_COPY(name=name) for name in named[_LIKE]),
-        *(messages.MADE_OF_OTHERS(name=name) for name in named[_OF_OTHERS]),
-    ]
+                doubtful[n] = messages.MAY_BE_ALTERED_COPY(name=name)
+    kept = [replace(source, may_be_copy=n in doubtful) for n, source in enumerate(sources) if n not in copies]
+    return kept, [*(messages.COPY_AMONG_SOURCES(name=sources[n].ref.name) for n in copies), *doubtful.values()]
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,32 +82,6 @@ class _Patch:
         with np.errstate(invalid="ignore", over="ignore"):  # of infinite values, which are like nothing
             across, down = np.diff(self.values, axis=1), np.diff(self.values, axis=0)
         return np.concatenate([across[where[:, 1:] & where[:, :-1]], down[where[1:] & where[:-1]]])
-
-
-def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
-    """Share of a patch's detail that neighbourhoods of 3 x 3 px in others explain; nan where few pixels are in all."""
-    inner = (slice(1, -1),) * 2
-    near = [sliding_window_view(other.values, (3, 3)).reshape(*other.values[inner].shape, 9) for other in others]
-    both = patch.valid[inner] & np.all(
-        [sliding_window_view(other.valid, (3, 3)).all(axis=(2, 3)) for other in others], axis=0
-    )
-    detail = _Patch(patch.values[inner], both).differences(both)
-    if both.mean() < LEAST_SHARED or not detail.any() or not np.isfinite(detail).all():
-        return np.nan
-    taps = np.stack([
-        _Patch(plane, both).differences(both) for planes in near for plane in np.moveaxis(planes, 2, 0)
-    ], axis=1)  # fmt: skip
-    if not np.isfinite(taps).all():
-        return np.nan
-    remainder = detail - taps @ np.linalg.lstsq(taps, detail, rcond=None)[0]
-    pixels = len(detail) / 2  # which have two differences each
-    return float(1 - (remainder @ remainder) / (detail @ detail) * pixels / max(pixels - taps.shape[1], 1))
-
-
-def _energy(patch: _Patch) -> float:
-    """Energy of a patch's detail, of a pixel."""
-    detail = patch.differences(patch.valid)
-    return float(np.mean(detail**2)) if len(detail) else 0.0
 
 
 def _lacking(mosaic: _Patch, source: _Patch) -> float:
@@ -188,35 +134,6 @@ class _Comparison:
         )
         return shown >= LEAST_SHOWN * len(places)
 
-    def sharpness(self, number: int, others: Collection[int]) -> float | None:
-        """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
-        it; None for one that shows what they don't."""
-        places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
-        detail, alone, missed = [], Counter[int](), 0
-        for k in places:
-            patch = self._patch(number, k)
-            if patch is None:
-                continue
-            coarse = patch.averaged(AVERAGED_PX)
-            seen = {n: other for n in sorted(self._over[k] & {*others}) if (other := self._patch(n, k)) is not None}
-            averaged = {n: other.averaged(AVERAGED_PX) for n, other in seen.items()}
-            lacking = {n: _lacking(coarse, other) for n, other in averaged.items()}
-            likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])[:MOST_OTHERS]
-            explained = _explained(coarse, [averaged[n] for n in likest]) if likest else np.nan
-            missed += explained < LEAST_EXPLAINED
-            if missed > MOST_ELSEWHERE * len(places):
-                return None
-            if not np.isnan(explained):
-                first = likest[0]
-                detail.append(list(map(_energy, (patch, coarse, seen[first], averaged[first]))))
-                alone[first] += _explained(coarse, [averaged[first]]) >= LEAST_EXPLAINED
-        if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
-            return None
-        if max(alone.values()) >= (1 - MOST_ELSEWHERE) * len(detail):
-            return None  # another image given twice, as in a second system
-        fine, coarse_sum, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
-        return fine * their_coarse / (coarse_sum * their_fine) if coarse_sum * their_fine else None
-
     def _read_patch(self, number: int, k: int) -> _Patch | None:
         """A source at a place; None where it can't be read."""
         with suppress(RasterError):  # the scan says so where it needs it
@@ -258,12 +175,3 @@ def _windows(mosaic: Raster) -> Iterator[PixelWindow]:
         for size, side, count in zip(sizes, (height, width), counts)
     )
     return (PixelWindow(column, row, width, height) for row in rows for column in columns)
-
-
-def covered_share(first: Extent, second: Extent) -> float:
-    """What a second rectangle has of the first, as a share of that; 0 where that has no area, as where its pixels are
-    smaller than coordinates can tell apart."""
-    width = min(first[2], second[2]) - max(first[0], second[0])
-    height = min(first[3], second[3]) - max(first[1], second[1])
-    area = (first[2] - first[0]) * (first[3] - first[1])
-    return max(width, 0.0) * max(height, 0.0) / area if area > 0 else 0.0

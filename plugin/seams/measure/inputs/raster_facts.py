@@ -4,10 +4,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ....imagery.clips import covered_share
 from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
 from .. import messages
-from .mosaic_copies import covered_share
 
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have
 MOST_SMALLER = 4.0  # the mosaic's pixel size over a source's

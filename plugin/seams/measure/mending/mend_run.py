@@ -20,7 +20,7 @@ from .. import messages
 from ..blocks.block_pixels import ALL_READ, JUDGED, BlockPixels
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
-from ..following.levelling import SQUARE_PX, to_pixels
+from ..following.levelling import SQUARE_PX, square_means, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
 from ..seam_cells import UNKNOWN
@@ -32,6 +32,8 @@ from .mended_mosaic import patch_file
 from .new_cut import (
     CELL_PX,
     EASED_PX,
+    FEWEST_SQUARES,
+    MIN_UNMIXED,
     cheapest_way,
     cutting_cost,
     dress,
@@ -39,7 +41,6 @@ from .new_cut import (
     fit_along,
     placed_bands,
     shown_detail,
-    tells_tones,
     tone_step,
 )
 
@@ -83,7 +84,6 @@ class MendSettings:
 class RunRequest:
     """All that is needed to cut one run anew, in plain data that can cross threads and processes."""
 
-    numbers = ()
     key: tuple[int, int]
     """The run's number, and 0."""
     mosaic: Raster
@@ -102,7 +102,7 @@ class RunRequest:
 class MendedRun:
     """What became of it."""
 
-    reading, sources = ALL_READ, ()
+    reading = ALL_READ
     key: tuple[int, int]
     """Key of the request."""
     reason: Message | None = None
@@ -151,7 +151,7 @@ def _mended(request: RunRequest) -> MendedRun:
     part = _part(request, read.window, line, way)
     ground, alone = _ground(read, part), enlarged(part.from_any > reach, CELL_PX)
     unmixed_sides = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
-    if not all(map(tells_tones, unmixed_sides)):
+    if any(np.count_nonzero(square_means(side) > MIN_UNMIXED) < FEWEST_SQUARES for side in unmixed_sides):
         raise RasterError(messages.TONES_NOT_TOLD())
     inside, weight, valid = part.patch(reach), part.weight(request.blend_px), [read.valid(side) for side in _SIDES]
     # Of each image only what is shown has to be there.

@@ -10,13 +10,12 @@ import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from operator import attrgetter
 from pathlib import Path
 
 import numpy as np
 
-from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message
 from ....imagery.file_identity import check_is_file, refuse_overwriting
@@ -24,7 +23,7 @@ from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import Column, record_of, sentences_of, value_of
+from ....imagery.records import Column
 from .. import messages
 from ..blocks.block_grid import BlockKey
 from ..blocks.scan_settings import ScanSettings
@@ -40,7 +39,7 @@ from ..source_images import Source
 from ..workers import Workers
 from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUND_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
-from .mended_mosaic import PlacedPatch, joined_patches, write_mended
+from .mended_mosaic import PlacedPatch, write_mended
 
 MENDED_KEPT = 0.9
 """kept_1 of a seam that counts as mended: less is the band of a seam profile."""
@@ -148,9 +147,8 @@ class Mending:
     """One mending, which may have begun in an earlier run of the program."""
 
     def __init__(self, request: MendRequest, patches: str, mended: str, journal: ScanJournal) -> None:
-        """``patches``: a folder, or a GeoTIFF for all of them."""
-        self.request, self._journal, self._mended = request, journal, mended
-        self._single, self._folder = patches if _is_file(patches) else "", Path(patches)
+        """``patches``: a folder."""
+        self.request, self._journal, self._mended, self._folder = request, journal, mended, Path(patches)
         self._cuts: list[tuple[BlockKey, SeamRun]] = []
 
     @property
@@ -203,14 +201,11 @@ class Mending:
             kept = self._measured(path, cuts, workers) if cuts else {}
             seams = [self._judged(number, cut, kept.get(number)) for number, (cut, _) in enumerate(tried)]
             better = [patch for (_, patch), seam in zip(tried, seams) if patch is not None and seam.outcome != LEFT]
-            if self._single:
-                better = [joined_patches(self._single, mosaic, better)] if better else []
-            else:
-                for number, patch in enumerate(better):
-                    path = str(self._folder / os.path.basename(patch.path))
-                    with whole_raster(path) as unfinished:
-                        shutil.move(patch.path, unfinished)
-                    better[number] = replace(patch, path=path)
+            for number, patch in enumerate(better):
+                path = str(self._folder / os.path.basename(patch.path))
+                with whole_raster(path) as unfinished:
+                    shutil.move(patch.path, unfinished)
+                better[number] = replace(patch, path=path)
             write_mended(self._mended, mosaic, better)
         reason = messages.SIDES_UNKNOWN()
         named, unnamed = self.request.runs
@@ -267,8 +262,7 @@ class Mending:
             return MendedSeam(run, cut, LEFT, reason=messages.CUT_NOT_MEASURED())
         if kept <= (run.kept or 0.0):
             return MendedSeam(run, cut, LEFT, kept, messages.NOT_BETTER())
-        name = os.path.basename(self._single) or _patch_name(number)
-        return MendedSeam(run, cut, MENDED if kept >= MENDED_KEPT else IMPROVED, kept, None, name)
+        return MendedSeam(run, cut, MENDED if kept >= MENDED_KEPT else IMPROVED, kept, None, _patch_name(number))
 
 
 @contextmanager
@@ -281,10 +275,9 @@ def mending(request: MendRequest, patches: str, mended: str, read: Iterable[str]
     given.append(np.array([piece.is_wanted for piece in request.pieces]))
     refs = request.mosaic.ref, *(source.ref for source in request.sources)
     with files_written(patches):
-        folder = Path(os.path.dirname(os.path.abspath(patches)) if _is_file(patches) else patches)
+        folder = Path(patches)
         folder.mkdir(parents=True, exist_ok=True)
-        made = [patches] if _is_file(patches) else [str(path) for path in folder.glob(_PATCHES)]
-    outputs = {"mended": mended, **{os.path.basename(path): path for path in made}}
+        outputs = {"mended": mended, **{path.name: str(path) for path in folder.glob(_PATCHES)}}
     fingerprint = ScanInputs(request.mosaic, request.sources).fingerprint(request.settings, given)
     refuse_overwriting(outputs, (*read, *(path for ref in refs for path in ref.paths)))
     with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
@@ -292,13 +285,8 @@ def mending(request: MendRequest, patches: str, mended: str, read: Iterable[str]
         journal.remove()
 
 
-def _is_file(patches: str) -> bool:
-    return patches.lower().endswith((".tif", ".tiff"))
-
-
 def _patch_name(number: int) -> str:
     return _PATCHES.replace("*", f"{number + 1:04d}")
 
 
-_read = partial(value_of, MendedRun, sentences=sentences_of(imagery_messages, messages))
-_LOOK = BlockLook("run", mend_run, not_mended, record_of, _read, brief=attrgetter("fitting"))
+_LOOK = BlockLook("run", mend_run, not_mended, MendedRun, brief=attrgetter("fitting"))

@@ -137,10 +137,11 @@ def _by_cell(plane: np.ndarray) -> np.ndarray:
 
 FEWEST_SQUARES = 48
 """Fewest squares of 8 px on which a source is alone: with less nobody can tell its tones."""
+MIN_UNMIXED = 0.9
+"""Least share of the pixels of a square that is of one image alone."""
 EASED_PX = 96
 """From a cut, over which tones are eased."""
 
-_MIN_UNMIXED = 0.9  # of a square's pixels
 _REACHES = 54.0, 18.0, 6.0, 2.0  # squares: what a tone is carried on by, the nearest that tells it
 _LEAST = 0.05
 _EASED_SQUARES = 1.0, 2.0, EASED_PX / SQUARE_PX / 3  # by scale: the finest are eased nearest to the cut
@@ -172,7 +173,7 @@ def dress(ground: JudgedGround, source: int, bands: np.ndarray, mosaic: np.ndarr
     Gain and filter are the estimator's; the bias is that of the nearest ground that tells it, at the scale of squares
     and wider, so that nothing finer is taken over from the mosaic.
     """
-    where, filters = square_means(unmixed) > _MIN_UNMIXED, ground.expected.filters
+    where, filters = square_means(unmixed) > MIN_UNMIXED, ground.expected.filters
     common = next(iter(filters.taps.values()), UNTOUCHED) if filters.came_over_cuts else UNTOUCHED
     taps = filters.taps.get(_plane(ground, source), common)
     pairs = [(square_means(shown.astype(np.float32)), square_means(band)) for shown, band in zip(mosaic, bands)]
@@ -206,11 +207,6 @@ def shown_detail(band: np.ndarray, mosaic: np.ndarray, unmixed: np.ndarray) -> f
         return None
     alike = common / max(float(np.sqrt(energy * held)), float(np.finfo(np.float32).tiny))
     return min(held / common, 1.0) if alike > _LEAST_ALIKE else max(alike, 0.0) ** 2
-
-
-def tells_tones(unmixed: np.ndarray) -> bool:
-    """Whether such ground is enough."""
-    return int(np.count_nonzero(square_means(unmixed) > _MIN_UNMIXED)) >= FEWEST_SQUARES
 
 
 def eased(

@@ -98,17 +98,13 @@ def place_windows(
     placed = WindowIndex(side_px)
     windows: list[PlacedWindow] = []
     places: list[str] = []
-    outside = tiny = covered = crowded = 0
+    left_out = crowded = 0
     for seam in seams:
         track = SeamTrack(seam, grid, side_px)
         inside = track.stretches()
         stretches = inside[np.diff(inside)[:, 0] >= shortest_m]
-        if not np.diff(inside).any():
-            outside += 1
-        elif not len(stretches):
-            tiny += 1
-        elif all(map(placed.covers, *grid.to_pixels(track.points_along(stretches)).T)):
-            covered += 1
+        if not len(stretches) or all(map(placed.covers, *grid.to_pixels(track.points_along(stretches)).T)):
+            left_out += 1
         else:
             along, lost, too_near = _along(track, stretches, settings.spacing_m, densest_m, is_valid)
             for station, window in along:
@@ -121,9 +117,7 @@ def place_windows(
     dropped = (
         (len(places), messages.PLACES_WITHOUT_WINDOW(count=len(places), places=named)),
         (crowded, messages.WINDOWS_CROWDED(count=crowded)),
-        (covered, messages.SEAMS_COVERED(count=covered)),
-        (tiny, messages.SEAMS_TINY(count=tiny, shortest=shortest_m)),
-        (outside, messages.SEAMS_OUTSIDE(count=outside)),
+        (left_out, messages.SEAMS_LEFT_OUT(count=left_out, shortest=shortest_m)),
     )
     return Placement(tuple(windows), tuple(sentence for count, sentence in dropped if count))
 

@@ -18,16 +18,15 @@ import numpy as np
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
-from ....imagery.records import NotUnderstoodError, RecordFiles, packed, understanding, unpacked
+from ....imagery.records import RecordFiles, record_of
 from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from ..blocks.block_pixels import ALL_READ, BlockReading
 from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from ..following.boxes import enlarged
-from ..following.source_filters import UNTOUCHED, Learned
-from ..profile.cell_table import CellTable, MixtureTable, Rows
+from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import NONE, UNKNOWN
 from ..workers import Workers, in_order, unforeseen
-from .scan_journal import INCOMPLETE, ScanJournal, loaded, not_saved, save
+from .scan_journal import ScanJournal, loaded, not_saved, save
 from .scan_request import ScanRequest
 
 _AS_WELL, _LEAST_LEFT = 1.3, 0.002
@@ -39,8 +38,8 @@ _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 Request = Any
 """Has the ``key`` of its block."""
 Scan = Any
-"""Has the ``key`` of its block, the numbers of its ``sources``, its ``reading``, and ``notices``: what could not be
-read, which the block lacks."""
+"""Has the ``key`` of its block, its ``reading``, and ``notices``: what could not be read, which the block lacks until a
+later run measures it anew."""
 
 
 @dataclass(frozen=True)
@@ -52,9 +51,8 @@ class BlockLook:
     measure: Callable[[Request], Scan]
     nothing: Callable[[Request, tuple[Message, ...]], Scan]
     """The result where nothing could be measured, and why."""
-    record_of: Callable[[Scan], bytes]
-    scan_of: Callable[[bytes], Scan]
-    """Raises NotUnderstoodError for what no scan of ours has written."""
+    kind: type
+    """Class of its results."""
     brief: Callable[[Scan], Any] = attrgetter("key")
     """What has to be known of it to hand out more blocks."""
 
@@ -66,7 +64,7 @@ class ScanStep:
     key: BlockKey
     brief: Any
     notices: tuple[Message, ...] = ()
-    """What could not be read in it; a later run measures the block anew."""
+    """What could not be read in it."""
     reading: BlockReading = ALL_READ
     was_held: bool = False
     """Whether an earlier run has measured it."""
@@ -100,7 +98,7 @@ class JournaledBlocks:
                 raise not_saved(files, block.trouble)
             if block.record is not None:
                 self._journal.is_shared = False
-                save(files, _name(look, block.key, block.notices), block.record)
+                save(files, _name(look, block.key), block.record)
             self._done += 1
             self._timed += not block.was_held
             if block.was_held:  # by an earlier run, which began with the same blocks
@@ -112,13 +110,11 @@ class JournaledBlocks:
 
 
 def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanStep:
-    name, scan = _name(look, request.key), None
+    scan = None
     with suppress(SettingsError):  # damaged: it is measured again
-        scan = loaded(files, name, look.scan_of)
-    if scan is not None:
-        if (scan.key, scan.sources) == (request.key, request.numbers):
-            return ScanStep(scan.key, look.brief(scan), was_held=True)
-        files.forget(name)  # of no such block
+        scan = held(look, files, request.key)
+    if scan is not None and not scan.notices:  # which say what it lacks
+        return ScanStep(scan.key, look.brief(scan), was_held=True)
     try:
         scan = look.measure(request)
     except Exception as error:  # which costs this block only
@@ -132,10 +128,10 @@ def _without(look: BlockLook, files: RecordFiles, request: Request, reason: Mess
 
 
 def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
-    record = look.record_of(scan)
+    record = record_of(scan, exact=True)
     step = ScanStep(scan.key, look.brief(scan), scan.notices, scan.reading)
     try:
-        files.save(_name(look, scan.key, scan.notices), record)
+        files.save(_name(look, scan.key), record)
     except FileNotFoundError:
         return replace(step, record=record)
     except OSError as error:
@@ -145,56 +141,11 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
 
 def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:
     """The scan that was kept of one block; None where there is none. Raises SettingsError as ``loaded`` does."""
-    names = _name(look, key), _name(look, key, INCOMPLETE)
-    return next((scan for name in names if (scan := loaded(files, name, look.scan_of)) is not None), None)
+    return loaded(files, _name(look, key), look.kind)
 
 
-def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
-    name = f"{look.name} {key[0]} {key[1]}"
-    return f"{INCOMPLETE} {name}" if lacks else name
-
-
-_ARRAYS = {
-    "squares": SQUARES, "dense": UNITS, "wanted": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS,
-    "grey": CELLS, "grain": CELLS,
-}
-"""And how many samples each has along a side."""
-_TABLES: dict[str, type[Rows]] = {"cells": CellTable, "beside": MixtureTable}
-
-
-def record_of(scan: BlockScan) -> bytes:
-    """All but the notices, which are told once."""
-    arrays = {name: getattr(scan, name) for name in _ARRAYS}
-    for table, kind in _TABLES.items():
-        arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in kind.names()}
-    learned = scan.learned or Learned({}, {})
-    arrays |= {
-        "key": np.array(scan.key), "sources": np.array(scan.sources, np.int32),
-        "learned": np.array([*learned.taps], int),
-        "taps": np.array([*learned.taps.values()], np.float32).reshape(-1, *UNTOUCHED.shape),
-        "left over": np.array([learned.left_over[number] for number in learned.taps]),
-    }
-    return packed(arrays, compressed=_ARRAYS)
-
-
-def scan_of(record: bytes) -> BlockScan:
-    """What ``record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
-    with understanding():
-        held = unpacked(record)
-        (row, column), numbers, taps = held["key"].tolist(), held["learned"].tolist(), held["taps"]
-        tables = {
-            table: kind(*(held[f"{table} {name}"] for name in kind.names())) for table, kind in _TABLES.items()
-        }
-        if any(held[name].shape != (side, side) for name, side in _ARRAYS.items()):
-            raise NotUnderstoodError("of another size")
-        if any(values.shape[-1] != len(table) for table in tables.values() for values in vars(table).values()):
-            raise NotUnderstoodError("a table with holes")
-        if taps.shape[1:] != UNTOUCHED.shape:
-            raise NotUnderstoodError("filters of another kind")
-        arrays: dict[str, Any] = {**{name: held[name] for name in _ARRAYS}, **tables}
-        if numbers:
-            arrays["learned"] = Learned(dict(zip(numbers, taps)), dict(zip(numbers, held["left over"].tolist())))
-        return BlockScan((row, column), tuple(held["sources"].tolist()), **arrays)
+def _name(look: BlockLook, key: BlockKey) -> str:
+    return f"{look.name} {key[0]} {key[1]}"
 
 
 class BlockRun:
@@ -216,9 +167,8 @@ class BlockRun:
             numbers = global_numbers(sources)
             squares[place_of(step.key, SQUARES)] = numbers[followed]
             self._wanted[place_of(step.key, UNITS)] = wanted
-            if learned is not None:
-                for place, taps in learned.taps.items():
-                    self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
+            for place, taps in learned.taps.items():
+                self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
             yield step
         if not workers.cancelled():
             # And at the borders of blocks what only neighbours together show.
@@ -247,7 +197,7 @@ class BlockRun:
         return known[min(good, key=lambda block: (math.dist(key, block), block))][1]
 
 
-SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of)
+SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, BlockScan)
 FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=attrgetter("sources", "squares", "wanted", "learned"))
 
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.records import packed, understanding, unpacked
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
 from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
@@ -49,8 +48,6 @@ class LoneScan:
     """What could not be read; the block then lacks it."""
     reading: BlockReading = ALL_READ
     """What could be read."""
-    sources: tuple[int, ...] = ()
-    """None."""
 
     @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> LoneScan:
@@ -88,20 +85,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
     return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
 
 
-def lone_record_of(scan: LoneScan) -> bytes:
-    """All but the notices, which are told once."""
-    return packed({"key": np.array(scan.key), **vars(scan.table)})
-
-
-def lone_scan_of(record: bytes) -> LoneScan:
-    """What ``lone_record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
-    with understanding():
-        kept = unpacked(record)
-        row, column = kept.pop("key").tolist()
-        return LoneScan((row, column), LoneTable(**kept))
-
-
-LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of)
+LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, LoneScan)
 
 
 class LoneScanning:

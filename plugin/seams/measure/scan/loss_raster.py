@@ -129,8 +129,6 @@ def _write_overviews(dataset: gdal.Dataset) -> None:
     factors = [2**level for level in range(1, 31) if longest / 2 ** (level - 1) > TILE]
     if not factors:
         return
-    dataset.BuildOverviews("NONE", factors)
-    for number in range(1, dataset.RasterCount + 1):
-        band = dataset.GetRasterBand(number)
-        overviews = [band.GetOverview(level) for level in range(len(factors))]
-        gdal.RegenerateOverviews(band, overviews, "MODE" if number == SOURCE_BAND else "AVERAGE")
+    dataset.BuildOverviews("AVERAGE", factors)
+    source = dataset.GetRasterBand(SOURCE_BAND)
+    gdal.RegenerateOverviews(source, [source.GetOverview(level) for level in range(len(factors))], "MODE")

@@ -15,7 +15,7 @@ import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
-from ....imagery.records import RecordFiles, record_of, value_of
+from ....imagery.records import RecordFiles, record_of
 from ....imagery.seam_totals import KeptBeside, profile_text
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED
@@ -138,7 +138,7 @@ def measure_pieces(
         if scan is not None:
             whole = global_numbers(scan.sources)
             mixture = replace(scan.beside, source=whole[scan.beside.source], other=whole[scan.beside.other])
-            held = loaded(files, _GROUND.format(*key), lambda record: value_of(_BlockGround, record, {}))
+            held = loaded(files, _GROUND.format(*key), _BlockGround)
             ground = held.levels if held else ()
             sums.add(scan.cells.within(place), mixture.within(place), ground, window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]

@@ -4,15 +4,14 @@ As long as what decides on its result is the same, which a fingerprint tells.
 """
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from hashlib import blake2b
 from itertools import chain
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -20,31 +19,17 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, SettingsError
-from ....imagery.file_identity import OF_NO_CONSEQUENCE, FileState, known_states, local_states, states_text
-from ....imagery.gdal_paths import is_remote, local_file, with_parts
+from ....imagery.file_identity import FileState, known_states, local_states, states_text
+from ....imagery.gdal_paths import is_remote
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster
-from ....imagery.records import NotUnderstoodError, RecordFiles, RecordFolder
+from ....imagery.records import NotUnderstoodError, RecordFiles, RecordFolder, sentences_of, value_of
 from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .. import messages
 from ..source_images import Source
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
-_SAID = ".aux.xml"
-"""Ending of the file that may say more of a raster, its nodata for instance."""
-_NOTHING = [re.compile(pattern, re.S) for pattern in (
-    rb"<(%s)\b(?:[^>]*/>|.*?</\1>)" % "|".join(OF_NO_CONSEQUENCE).encode(),
-    rb"<(PAMRasterBand)\b[^>]*(?:/>|>\s*</\1>)", rb"</?PAMDataset\b[^>]*>", rb"\s+",
-)]
-"""What of it changes no pixel, and what is left then of a file that says nothing else."""
-_PARTS = {
-    "version": messages.SCAN_OF_ANOTHER_VERSION,
-    "mosaic": messages.SCAN_OF_ANOTHER_MOSAIC,
-    "sources": messages.SCAN_OF_OTHER_SOURCES,
-    "places": messages.SCAN_OF_OTHER_PLACES,
-    "settings": messages.SCAN_WITH_OTHER_SETTINGS,
-    "seams": messages.SCAN_OF_OTHER_SEAMS,
-}
+_Kept = TypeVar("_Kept")
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,23 +54,16 @@ class ScanInputs:
         return known_states(of_mosaic), known_states(of_sources, sum(map(is_remote, of_sources)) <= MOST_ASKED)
 
     def fingerprint(self, settings: Any, seams: Iterable[object] = ()) -> str:
-        """Fingerprint that is the same as long as the result of a scan would be: a digest of each of its inputs.
+        """Fingerprint that is the same as long as the result of a scan would be: a digest of all its inputs.
 
         ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes.
         """
-        ref = self.mosaic.ref
-        of_mosaic, of_sources = (
-            [*paths, *states.items(), *said_beside(paths)] for paths, states in zip(self._paths, self._states)
-        )
-        parts: dict[str, Iterable[object]] = {
-            "version": [plugin_version()], "mosaic": of_mosaic, "sources": of_sources,
-            "places": [
-                ref.wkt, ref.nodata, self.mosaic.geotransform, self.mosaic.wkt,
-                *((source.ref.wkt, source.ref.nodata, source.extent) for source in self.sources),
-            ],
-            "settings": [settings], "seams": seams,
-        }
-        return " ".join(f"{name}={_digest(items)}" for name, items in parts.items())
+        ref, files = self.mosaic.ref, zip(self._paths, self._states)
+        return _digest((
+            plugin_version(), *((paths, *states.items()) for paths, states in files),
+            ref.wkt, ref.nodata, self.mosaic.geotransform, self.mosaic.wkt,
+            *((source.ref.wkt, source.ref.nodata, source.extent) for source in self.sources), settings, *seams,
+        ))
 
     def check(self) -> None:
         """Raise SettingsError where a raster has changed meanwhile."""
@@ -101,16 +79,6 @@ class ScanInputs:
         return {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
 
 
-def what_changed(older: str, newer: str) -> Message:
-    """The first part in which two fingerprints differ, in words."""
-    was, is_now = (dict(part.partition("=")[::2] for part in text.split()) for text in (older, newer))
-    if was.keys() == is_now.keys():
-        for name, message in _PARTS.items():
-            if was.get(name) != is_now.get(name):
-                return message
-    return messages.SCAN_OF_ANOTHER_KIND
-
-
 def _digest(items: Iterable[object]) -> str:
     """Digest of arrays, and of values whose text does not depend on the process."""
     digest = blake2b(digest_size=12)
@@ -123,22 +91,7 @@ def _digest(items: Iterable[object]) -> str:
     return digest.hexdigest()
 
 
-def said_beside(paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
-    """What files of auxiliary data beside rasters say that may change how their pixels are read."""
-    for part in chain(*map(with_parts, paths)):
-        said = b""
-        with suppress(OSError):  # most have none
-            if not is_remote(part) and local_file(part) == part:
-                said = Path(part + _SAID).read_bytes()
-        for nothing in _NOTHING:
-            said = nothing.sub(b"", said)
-        if said:
-            yield part, said
-
-
 _KIND = "Seam Inspector: journal of a scan"
-INCOMPLETE = "again"
-"""Begins the name of a block that lacks something; a later run measures it anew."""
 
 
 @contextmanager
@@ -166,14 +119,14 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
     try:
         journal = ScanJournal(path, _KIND, fingerprint)
     except OSError as error:
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
     except SettingsError as error:
         if error.message.template == imagery_messages.RECORDS_IN_USE.template:
             raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
         raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
     if journal.was_of is not None and journal.was_of != fingerprint:
-        return journal, messages.SCAN_ANEW(what=what_changed(journal.was_of, fingerprint))
-    done = sum(not name.startswith(INCOMPLETE) for name in journal.files.names)
+        return journal, messages.SCAN_ANEW()
+    done = len(journal.files.names)
     return journal, messages.SCAN_GOES_ON(done=done) if done else None
 
 
@@ -200,12 +153,12 @@ def not_saved(files: RecordFiles, reason: Message | str) -> SettingsError:
     return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(path=files.folder, error=reason, done=len(files.names)))
 
 
-def loaded(files: RecordFiles, name: str, read: Callable[[bytes], Any]) -> Any:
-    """What was kept, as ``read`` makes it of bytes; None where nothing was. Raises SettingsError where it can't be read
-    any more; it is then forgotten, and measured again when the scan is started again."""
+def loaded(files: RecordFiles, name: str, kind: type[_Kept]) -> _Kept | None:
+    """The instance of a class that was kept; None where nothing was. Raises SettingsError where it can't be read any
+    more; it is then forgotten, and measured again when the scan is started again."""
     try:
         record = files.load(name)
-        return None if record is None else read(record)
+        return None if record is None else value_of(kind, record, sentences_of(imagery_messages, messages))
     except (OSError, NotUnderstoodError) as error:
         files.forget(name)
         why = system_reason(error) if isinstance(error, OSError) else str(error)

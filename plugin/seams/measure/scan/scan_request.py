@@ -10,6 +10,7 @@ from typing import Callable
 import numpy as np
 
 from ....imagery import limits as imagery_limits
+from ....imagery.clips import covered_share
 from ....imagery.errors import Message, RasterError, SeamsElsewhereError, SettingsError
 from ....imagery.grids import PixelWindow
 from ....imagery.lines import vertex_stations
@@ -19,7 +20,6 @@ from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
 from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
-from ..inputs.mosaic_copies import covered_share
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines.given_seams import GivenSeams

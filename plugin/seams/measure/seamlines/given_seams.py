@@ -6,18 +6,17 @@ from dataclasses import dataclass, field
 from itertools import chain
 
 import numpy as np
-from osgeo import ogr
 
 from ....imagery import lines as seamlines
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, SeamlineError, SeamsElsewhereError
-from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.grids import Grid
 from .. import messages
 from ..seam_cells import Cell, meant_sources
 from .seam_features import SeamFeature, gathered, owner_name, said, seam_fields
 from .seam_pieces import SidedSeam
-from .seam_tracing import multipolygon, parts_with_area
+
+_NAMED = 3  # ambiguous names that are told
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +70,6 @@ def given_seams(
     notices = [
         *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken)] if pieces.broken else []),
         *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
-        *polygon_faults(pieces.polygons, grid),
         *([messages.SEAMS_NAMED_BY(fields=", ".join(fields.naming))] if fields.naming and not source_field else []),
     ]
     if fields.names_by_date and named and pieces.rings:
@@ -159,50 +157,3 @@ class _Network:
             raise SeamlineError(imagery_messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
         shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
         return shift, ends - shift
-
-
-WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged
-_NAMED = 3  # ambiguous names that are told
-
-
-def polygon_faults(polygons: Sequence[ogr.Geometry], grid: Grid) -> list[Message]:
-    """One notice of overlaps and one of gaps, where there are any: holes in what all cover together on the mosaic.
-
-    ``polygons``: valid polygons or multipolygons in map units.
-    """
-    if not polygons:
-        return []
-    square_metres = grid.metres_x * grid.metres_y
-    narrow = WIDTH_PX * grid.pixel_width
-    notices = []
-    with gdal_silenced():
-        overlaps = []
-        left, right, bottom, top = np.array([geometry.GetEnvelope() for geometry in polygons]).T
-        for number, geometry in enumerate(polygons):
-            meets = (left < right[number]) & (right > left[number]) & (bottom < top[number]) & (top > bottom[number])
-            for other in np.flatnonzero(meets[number + 1 :]) + number + 1:
-                shared = geometry.Intersection(polygons[other])
-                parts = () if shared is None else parts_with_area(shared)
-                area = sum(part.GetArea() for part in parts if 2 * part.GetArea() > narrow * part.Boundary().Length())
-                if area:
-                    overlaps.append(area * square_metres)
-        if overlaps:
-            notices.append(messages.SEAM_POLYGONS_OVERLAP(count=len(overlaps), area=sum(overlaps)))
-        gaps = [gap.GetArea() * square_metres for gap in _gaps(polygons, grid, narrow)]
-    if gaps:
-        notices.append(messages.SEAM_POLYGONS_GAPE(count=len(gaps), area=sum(gaps)))
-    return notices
-
-
-def _gaps(geometries: Sequence[ogr.Geometry], grid: Grid, narrow: float) -> Iterator[ogr.Geometry]:
-    """Holes in what polygons cover together."""
-    # Slits that are bridged are closed first: they are no gaps, and one that leads outside would hide a gap.
-    whole = multipolygon(geometries).UnionCascaded().Buffer(narrow / 2, 1)
-    xmin, ymin, xmax, ymax = grid.extent
-    for part in parts_with_area(whole):
-        for index in range(1, part.GetGeometryCount()):
-            hole = ogr.Geometry(ogr.wkbPolygon)
-            hole.AddGeometry(part.GetGeometryRef(index))
-            left, right, bottom, top = hole.GetEnvelope()
-            if left < xmax and right > xmin and bottom < ymax and top > ymin:
-                yield hole

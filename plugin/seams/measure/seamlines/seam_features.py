@@ -171,8 +171,6 @@ class GatheredLines:
     """Polygons that name their source."""
     dates: dict[str, set[str]] = field(default_factory=dict)
     """When each source was taken, as far as anything says."""
-    polygons: list[ogr.Geometry] = field(default_factory=list)
-    """All of them, repaired."""
     repaired: int = 0
     """Polygons that crossed themselves."""
     broken: int = 0
@@ -234,11 +232,10 @@ def _gather(
             rings = [_finite(ring) for ring in seamlines.polygon_rings(part, number)]
             with gdal_silenced():
                 is_valid = part.IsValid()
-                polygon = part.Clone() if is_valid else part.MakeValid()
+                polygon = part if is_valid else part.MakeValid()
             lines.repaired += not is_valid
             lines.rings += rings
             lines.ring_owners += [owner] * len(rings)
-            lines.polygons.append(polygon)
             if source:
                 lines.cells.append(Cell(source, bytes(polygon.ExportToWkb(ogr.wkbNDR)), _extent(polygon)))
         elif part.GetPointCount() > 1:

@@ -283,11 +283,6 @@ def _multipolygon(rings: Sequence[np.ndarray]) -> bytes:
 def multipolygon(geometries: Iterable[ogr.Geometry]) -> ogr.Geometry:
     """All polygons in some geometries."""
     whole = ogr.Geometry(ogr.wkbMultiPolygon)
-    for part in chain.from_iterable(map(parts_with_area, geometries)):
+    for part in filter(is_polygon, chain.from_iterable(map(simple_parts, geometries))):
         whole.AddGeometry(part)
     return whole
-
-
-def parts_with_area(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
-    """The polygons in a geometry."""
-    return filter(is_polygon, simple_parts(geometry))

@@ -4,13 +4,11 @@ And what can be known many times a second of a window that is being moved, from 
 """
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import ReadEach
@@ -21,7 +19,6 @@ from ..judgement.causes import Cause
 from ..judgement.explanation import Explanation, explain
 from ..judgement.hard_cut import JudgedGround, as_type, cut_hard, ground_of
 from ..judgement.verdicts import (
-    MIN_EXPLAINED,
     Judgement,
     Ratios,
     Verdict,
@@ -65,9 +62,6 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     judgement = _judged(paper, mosaic.curves[band], explanation, band, request)
     if Cause.MISSING_SOURCE in explanation.causes and judgement.reason is None:
         judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - explanation.explained)))
-    is_partly = explanation.explained < MIN_EXPLAINED or Cause.MISSING_SOURCE in explanation.causes
-    if judgement.reason is not None and is_partly:
-        judgement = replace(judgement, reason=_with_other_pixels(judgement.reason, measured))
     if all(source.clip.resampled for source in judged) and judgement.reason is None:
         judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
     return replace(
@@ -88,19 +82,6 @@ def window_lost(measured: MeasuredWindow) -> LossPicture | None:
 
 def _ground(measured: MeasuredWindow) -> JudgedGround:
     return ground_of(measured.mosaic, measured.judged, known_labels(measured.request, measured.judged))
-
-
-def _with_other_pixels(reason: Message, measured: MeasuredWindow) -> Message:
-    """Why the mosaic is not explained, the pixel size of the coarsest or finest source first where that is another."""
-    mosaic_pixel = measured.request.mosaic.ground_sample_distance
-    others = [source.clip.raster for source in measured.only_shown or measured.sources]
-    name, pixel = max(
-        ((raster.ref.name, raster.ground_sample_distance) for raster in others),
-        key=lambda named: abs(math.log(named[1] / mosaic_pixel)), default=("", mosaic_pixel),
-    )  # fmt: skip
-    if abs(pixel / mosaic_pixel - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
-        return reason
-    return messages.OTHER_PIXEL_SIZE(name=name, pixel=round(pixel, 3), own=round(mosaic_pixel, 3), more=reason)
 
 
 def _in_file_values(explanation: Explanation, mosaic_factor: float, factors: Sequence[float]) -> Explanation:

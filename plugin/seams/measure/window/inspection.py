@@ -18,7 +18,7 @@ from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import known_wkt
 from .. import messages
 from ..inputs.mosaic_copies import leave_out_copies
-from ..seam_cells import Cell, cells_over, source_stem
+from ..seam_cells import Cell, source_stem
 from ..seamlines.seam_features import read_cells
 from ..source_images import Source, gather_sources, have_same_grid
 from ..while_measuring import measuring
@@ -214,7 +214,8 @@ def window_request(block: Block, window_id: int, extent: Extent, settings: Inspe
         window = snap_window(block.mosaic.grid, extent, settings.levels)
     except WindowError as error:
         return WindowRequest(window_id, block.mosaic, (), None, settings, error.message)
-    cells = cells_over(block.cells, block.mosaic.grid.window_extent(window))
+    place = block.mosaic.grid.window_extent(window)
+    cells = tuple(cell for cell in block.cells if extents_meet(cell.extent, place))
     return WindowRequest(window_id, block.mosaic, block.sources_over(window), window, settings, cells=cells)
 
 

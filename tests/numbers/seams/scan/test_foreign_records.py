@@ -10,9 +10,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.records import RecordFiles, packed, unpacked
+from seam_inspector.plugin.imagery.records import RecordFiles, packed, record_of, value_of
+from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
@@ -21,8 +22,8 @@ from seam_inspector.plugin.seams.measure.workers import Workers
 from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
 
 
-def with_array(name: str, array: np.ndarray) -> Callable[[bytes], bytes]:
-    return lambda record: packed({**unpacked(record), name: array})
+def changed(**fields: object) -> Callable[[bytes], bytes]:
+    return lambda record: record_of(replace(value_of(BlockScan, record, {}), **fields), exact=True)
 
 
 def boundless(record: bytes) -> bytes:
@@ -35,11 +36,8 @@ FOREIGN: dict[str, Callable[[bytes], bytes]] = {
     "nothing": lambda record: b"",
     "noise": lambda record: np.random.default_rng(1).bytes(5000),
     "cut off": lambda record: record[: len(record) // 2],
-    "another size": with_array("squares", np.zeros((3, 3), np.uint8)),
-    "a table with holes": with_array("cells row", np.zeros(1, np.int32)),
     "no table": lambda record: packed({"key": np.array([0, 0])}),
-    "another block": lambda record: record_of(replace(scan_of(record), key=(0, 7))),
-    "another source": lambda record: record_of(replace(scan_of(record), sources=(7,))),
+    "what lacks something": changed(notices=(messages.SOURCE_WITHOUT_BAND(name="a", band="red"),)),
     "boundless": boundless,
 }
 

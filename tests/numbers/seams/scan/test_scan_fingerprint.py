@@ -16,7 +16,7 @@ from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan import scan_journal
-from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanInputs, what_changed
+from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanInputs
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.conftest import MakeRaster
@@ -53,9 +53,6 @@ def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: objec
     return ScanInputs(mosaic_of(files), sources).fingerprint(settings, seams)  # type: ignore[arg-type]
 
 
-PLACES = "where the mosaic or one of the sources lies"
-
-
 def rewrite(path: str) -> None:
     """With its size and time kept."""
     before, held = os.stat(path), bytearray(Path(path).read_bytes())
@@ -69,43 +66,43 @@ def touch(path: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "what"),
+    "change",
     [
-        (lambda files: touch(files["mosaic"]), "the mosaic"),
-        (lambda files: Path(files["mosaic"] + ".msk").write_bytes(b"x"), "the mosaic"),
-        (lambda files: touch(files["plain"]), "the sources or one of their files"),
-        (lambda files: touch(str(Path(files["plain"]).parent / "archive.zip")), "the sources or one of their files"),
-        (lambda files: touch(files["part"]), "the sources or one of their files"),
-        (lambda files: Path(files["part"]).unlink(), "the sources or one of their files"),
-        (lambda files: rewrite(files["mosaic"]), "the mosaic"),
-        (lambda files: rewrite(files["part"]), "the sources or one of their files"),
-        (lambda files: Path(files["wld"]).write_text("1\n0\n0\n-1\n0\n0\n"), "the sources or one of their files"),
+        lambda files: touch(files["mosaic"]),
+        lambda files: Path(files["mosaic"] + ".msk").write_bytes(b"x"),
+        lambda files: touch(files["plain"]),
+        lambda files: touch(str(Path(files["plain"]).parent / "archive.zip")),
+        lambda files: touch(files["part"]),
+        lambda files: Path(files["part"]).unlink(),
+        lambda files: rewrite(files["mosaic"]),
+        lambda files: rewrite(files["part"]),
+        lambda files: Path(files["wld"]).write_text("1\n0\n0\n-1\n0\n0\n"),
     ],
 )
-def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None], what: str) -> None:
+def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None]) -> None:
     before = taken(files)
     assert taken(files) == before
     change(files)
-    assert str(what_changed(before, taken(files))) == what
+    assert taken(files) != before
 
 
 def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     files: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = taken(files)
-    assert str(what_changed(before, taken(files, ScanSettings(piece_m=26)))) == "a setting"
+    assert taken(files, ScanSettings(piece_m=26)) != before
     moved = LINE + [[0, 0], [0, 1e-9]]
     for seams in ((moved,), (LINE, LINE), (LINE[:1], LINE[1:]), (LINE.astype(np.float32),), (), (b"", "", 0)):
-        assert str(what_changed(before, taken(files, seams=seams))) == "the seam lines"
+        assert taken(files, seams=seams) != before
     refs = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "part")]
     mosaic = mosaic_of(files)
     first, second = (ScanInputs(mosaic, some).fingerprint(None) for some in (refs, refs[::-1]))
-    assert str(what_changed(first, second)) == "the sources or one of their files"
+    assert first != second
     moved_mosaic = replace(mosaic, geotransform=(25.0, *mosaic.placement[1:]))
     first, second = (ScanInputs(placed, refs).fingerprint(None) for placed in (mosaic, moved_mosaic))
-    assert str(what_changed(first, second)) == PLACES
+    assert first != second
     monkeypatch.setattr(scan_journal, "plugin_version", lambda: "0")
-    assert str(what_changed(before, taken(files))) == "the plugin's version"
+    assert taken(files) != before
 
 
 @pytest.mark.slow

@@ -34,22 +34,6 @@ def test_statistics_that_are_written_beside_a_mosaic_change_nothing(mosaic: Path
     assert fingerprint_of(mosaic) == before
 
 
-@pytest.mark.parametrize(
-    "said",
-    [
-        "<PAMDataset><PAMRasterBand band='1'><NoDataValue>7</NoDataValue></PAMRasterBand></PAMDataset>",
-        "<PAMDataset><broken</PAMDataset>",
-        "<?xml version='1.0' encoding='klingon'?><PAMDataset/>",
-        "<!DOCTYPE a [<!ENTITY b 'cc'><!ENTITY d '&b;&b;'>]><PAMDataset>&d;</PAMDataset>",
-    ],
-)
-def test_a_nodata_value_that_is_written_beside_it_does(mosaic: Path, said: str) -> None:
-    """And what can't be read, or better is not."""
-    before = fingerprint_of(mosaic)
-    mosaic.with_name("mosaic.tif.aux.xml").write_text(said, encoding="utf-8")
-    assert fingerprint_of(mosaic) != before
-
-
 @pytest.mark.parametrize("written", [[], [""], ["", ".aux.xml"]], ids=len)
 @pytest.mark.parametrize("name", ["loss.tif", f"{'n' * 240}.tif"], ids=len)
 def test_what_a_killed_scan_left_goes_and_nothing_else(tmp_path: Path, name: str, written: list[str]) -> None:

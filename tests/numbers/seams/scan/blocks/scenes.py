@@ -51,7 +51,7 @@ def measured(request: BlockRequest) -> BlockScan:
     """A block alone by both looks: at its patches, then at its seams by what these told."""
     first = scan_block(request)
     followed = np.pad(first.squares, 1, constant_values=UNKNOWN)
-    taps = {} if first.learned is None else first.learned.taps
+    taps = first.learned.taps
     seams = replace(request, wanted=first.wanted, taps=taps, followed=followed)
     return both_looks(first, scan_block(seams))
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.records import record_of
 from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.blocks.scan_block import scan_block
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable
-from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, beside, blended, images, measured, scene
