@@ -395,6 +395,10 @@ MAY_BE_ALTERED_COPY = Message(
     "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "
     "the mosaic, it hides losses, so remove it from the sources.", INFO
 )
+MADE_OF_OTHERS = Message(
+    "{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It "
+    "hides losses, so remove it from the sources.", WARNING
+)
 ONE_IMAGE_IN_PARTS = Message(
     "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "
     "as one.", INFO

@@ -1,17 +1,20 @@
 """Copies of a mosaic among its sources: they would explain all of it, and hide every loss.
 
 A copy has pixels wherever the mosaic has, is like it in every place, and other sources are like it too, each in some
-places. No true orthoimage is all of that; what is some of it takes part, and is told.
+places. No true orthoimage is all of that; what is some of it takes part, and is told. So is an image that others
+explain wherever it lies, with less detail than they have: a blurred mosaic, or a mean of orthoimages.
 """
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import lru_cache
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ....imagery.clips import covered_share, read_clip
 from ....imagery.errors import Message, RasterError
@@ -36,6 +39,13 @@ MOST_MISSING = 0.05  # of a patch, where the mosaic has pixels and a copy has no
 MOST_LACKING = 0.08
 LEAST_UNLIKE = 0.25  # Brighton: all orthoimages lack more somewhere, by 0.96 and more
 ROUNDING = 0.0005  # is lacking where values were scaled
+# Share of an image's detail that 3 x 3 px of the others explain. Brighton and PackO, lossless or JPEG 75: of a mosaic
+# blurred by 0.7 to 3 px, or a mean, 0.85 in nine places of ten, of an orthoimage less than 0.25 in one of ten.
+LEAST_EXPLAINED = 0.9
+MOST_ELSEWHERE = 0.15  # of the places, that a thing of others may be unlike them, as where one of them is not given
+FEWEST_EXPLAINED = 8  # places
+MOST_OTHERS = 6  # images that explain one at a place, those most alike
+LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that is given twice hides nothing
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
 
 
@@ -59,6 +69,14 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
                 doubtful[n] = messages.MAY_BE_COPY(name=name)  # as an orthoimage of the mosaic may be, or a part of it
             elif is_whole or is_shown:
                 doubtful[n] = messages.MAY_BE_ALTERED_COPY(name=name)
+        others = {n for n in range(len(sources)) if n not in copies}
+        while soft := [
+            (sharpness, n) for n in candidates if n in others
+            and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
+        ]:
+            softest = min(soft)[1]
+            others.remove(softest)  # which does not explain what it was made of
+            doubtful[softest] = messages.MADE_OF_OTHERS(name=sources[softest].ref.name)
     kept = [replace(source, may_be_copy=n in doubtful) for n, source in enumerate(sources) if n not in copies]
     return kept, [*(messages.COPY_AMONG_SOURCES(name=sources[n].ref.name) for n in copies), *doubtful.values()]
 
@@ -84,6 +102,32 @@ class _Patch:
         return np.concatenate([across[where[:, 1:] & where[:, :-1]], down[where[1:] & where[:-1]]])
 
 
+def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
+    """Share of a patch's detail that neighbourhoods of 3 x 3 px in others explain; nan where few pixels are in all."""
+    inner = (slice(1, -1),) * 2
+    near = [sliding_window_view(other.values, (3, 3)).reshape(*other.values[inner].shape, 9) for other in others]
+    both = patch.valid[inner] & np.all(
+        [sliding_window_view(other.valid, (3, 3)).all(axis=(2, 3)) for other in others], axis=0
+    )
+    detail = _Patch(patch.values[inner], both).differences(both)
+    if both.mean() < LEAST_SHARED or not detail.any() or not np.isfinite(detail).all():
+        return np.nan
+    taps = np.stack([
+        _Patch(plane, both).differences(both) for planes in near for plane in np.moveaxis(planes, 2, 0)
+    ], axis=1)  # fmt: skip
+    if not np.isfinite(taps).all():
+        return np.nan
+    remainder = detail - taps @ np.linalg.lstsq(taps, detail, rcond=None)[0]
+    pixels = len(detail) / 2  # which have two differences each
+    return float(1 - (remainder @ remainder) / (detail @ detail) * pixels / max(pixels - taps.shape[1], 1))
+
+
+def _energy(patch: _Patch) -> float:
+    """Energy of a patch's detail, of a pixel."""
+    detail = patch.differences(patch.valid)
+    return float(np.mean(detail**2)) if len(detail) else 0.0
+
+
 def _lacking(mosaic: _Patch, source: _Patch) -> float:
     """Share of the detail of the mosaic that a source does not show; nan where too few pixels are in both."""
     both = mosaic.valid & source.valid
@@ -99,7 +143,9 @@ class _Comparison:
 
     def __init__(self, mosaic: Raster, sources: Sequence[Source]) -> None:
         self._mosaic, self._sources, self._opened = mosaic, sources, lru_cache(KEPT_OPEN)(OpenRaster)
-        self._patch, self._compared = cache(self._read_patch), cache(self._compare)
+        # No cached methods: they would hold the comparison, and with it the open rasters, until garbage is collected.
+        self._patches: dict[tuple[int, int], _Patch | None] = {}
+        self._compared_places: dict[tuple[int, int], tuple[float, float]] = {}
         patches = []
         for window in _windows(mosaic):
             with suppress(RasterError):
@@ -134,11 +180,42 @@ class _Comparison:
         )
         return shown >= LEAST_SHOWN * len(places)
 
-    def _read_patch(self, number: int, k: int) -> _Patch | None:
+    def sharpness(self, number: int, others: Collection[int]) -> float | None:
+        """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
+        it; None for one that shows what they don't."""
+        places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
+        detail, alone, missed = [], Counter[int](), 0
+        for k in places:
+            patch = self._patch(number, k)
+            if patch is None:
+                continue
+            coarse = patch.averaged(AVERAGED_PX)
+            seen = {n: other for n in sorted(self._over[k] & {*others}) if (other := self._patch(n, k)) is not None}
+            averaged = {n: other.averaged(AVERAGED_PX) for n, other in seen.items()}
+            lacking = {n: _lacking(coarse, other) for n, other in averaged.items()}
+            likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])[:MOST_OTHERS]
+            explained = _explained(coarse, [averaged[n] for n in likest]) if likest else np.nan
+            missed += explained < LEAST_EXPLAINED
+            if missed > MOST_ELSEWHERE * len(places):
+                return None
+            if not np.isnan(explained):
+                first = likest[0]
+                detail.append(list(map(_energy, (patch, coarse, seen[first], averaged[first]))))
+                alone[first] += _explained(coarse, [averaged[first]]) >= LEAST_EXPLAINED
+        if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
+            return None
+        if max(alone.values()) >= (1 - MOST_ELSEWHERE) * len(detail):
+            return None  # another image given twice, as in a second system
+        fine, coarse_sum, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
+        return fine * their_coarse / (coarse_sum * their_fine) if coarse_sum * their_fine else None
+
+    def _patch(self, number: int, k: int) -> _Patch | None:
         """A source at a place; None where it can't be read."""
-        with suppress(RasterError):  # the scan says so where it needs it
-            return self._read(self._sources[number].ref, self._places[k][0])
-        return None
+        if (number, k) not in self._patches:
+            self._patches[number, k] = None
+            with suppress(RasterError):  # the scan says so where it needs it
+                self._patches[number, k] = self._read(self._sources[number].ref, self._places[k][0])
+        return self._patches[number, k]
 
     def _is_another(self, number: int) -> bool:
         """Whether a source is another image of the ground somewhere, or may be; what was made of the mosaic is not."""
@@ -148,9 +225,14 @@ class _Comparison:
     def _lacking(self, number: int) -> Iterator[float]:
         return (self._compared(number, k)[0] for k in range(len(self._places)))
 
-    def _compare(self, number: int, k: int) -> tuple[float, float]:
+    def _compared(self, number: int, k: int) -> tuple[float, float]:
         """What a source lacks of the mosaic at a place, nan where that can't be told, and the share of the place where
         the mosaic has pixels and it has none."""
+        if (number, k) not in self._compared_places:
+            self._compared_places[number, k] = self._compare(number, k)
+        return self._compared_places[number, k]
+
+    def _compare(self, number: int, k: int) -> tuple[float, float]:
         source, patch = self._patch(number, k) if number in self._over[k] else None, self._places[k][1]
         if source is None:
             return np.nan, 1.0

@@ -1,6 +1,7 @@
 """Sources that were made from the mosaic are found, and true ones never taken for such."""
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -57,6 +58,16 @@ def test_true_sources_on_the_very_pixels_of_the_mosaic_stay(paths: list[str]) ->
     assert told(paths[2], paths) == (["a.tif", "b.tif"], {})
 
 
+def test_no_raster_is_open_once_all_are_compared(paths: list[str]) -> None:
+    gc.disable()  # which would close what a cycle of references holds, and QGIS may be gone by then
+    try:
+        told(paths[2], paths)
+        handles = [os.path.realpath(entry.path) for entry in os.scandir("/proc/self/fd")]
+    finally:
+        gc.enable()
+    assert not set(map(os.path.realpath, paths)) & set(handles)
+
+
 @pytest.mark.slow
 def test_copies_overviews_and_vrts_are_left_out_with_their_reason(paths: list[str], tmp_path: Path) -> None:
     mosaic = gdal.Open(paths[2])
@@ -83,6 +94,27 @@ def test_a_vrt_of_the_mosaic_is_left_out_whatever_it_is_called(paths: list[str],
     kept, notices = told(paths[2], [path, *paths[:2]])
     assert kept == ["a.tif", "b.tif"]
     assert notices == {name: messages.COPY_AMONG_SOURCES.template}
+
+
+@pytest.mark.slow
+def test_a_blurred_mosaic_and_a_mean_of_orthoimages_are_told_and_an_image_given_twice_is_not(
+    make_raster: MakeRaster
+) -> None:
+    """All that they show others show, and finer; images of one ground differ in the finest of what they show."""
+    ground, *images = (orthoimage((SIDE, SIDE), seed=seed).astype(float) for seed in (4, 1, 2))
+    smooth = (0, 2, 2)
+    coarse = ndimage.gaussian_filter(ground, smooth)
+    first, second = (coarse + image - ndimage.gaussian_filter(image, smooth) for image in images)
+    mosaic = np.where(np.arange(SIDE) < 600, first, second)
+    made = {"blurred": ndimage.gaussian_filter(mosaic, (0, 1.5, 1.5)), "mean": (first + second) / 2, "twice": second}
+    a, b, whole, *given = (
+        make_raster(f"{name}.tif", np.clip(np.rint(pixels), 1, 255).astype(np.uint8))
+        for name, pixels in {"a": first, "b": second, "mosaic": mosaic, **made}.items()
+    )
+    for name, path in zip(made, given):
+        kept, notices = told(whole, [a, b, path])
+        assert kept == ["a.tif", "b.tif", f"{name}.tif"]
+        assert notices == ({} if name == "twice" else {f"{name}.tif": messages.MADE_OF_OTHERS.template})
 
 
 @pytest.fixture
