@@ -75,8 +75,7 @@ class NoiseGroup:
 
     window_class: str | None
     group: int
-    name: str
-    """Name of the group of images."""
+    name: str  # name of the group of images
     results: tuple[ClipNoise, ...]
 
     @property

@@ -28,10 +28,8 @@ _FREE = 40  # values of a cell that count as independent: 48 of white noise, few
 class QuietGround:
     """The details of one level and band where the ground is quiet: standard deviations of noise that gives as much."""
 
-    least: float
-    """On the quietest ground, DN: noise has no more."""
-    quiet: float
-    """On the quietest twentieth of the ground, DN."""
+    least: float  # on the quietest ground, DN: noise has no more
+    quiet: float  # on the quietest twentieth of the ground, DN
     unevenness: float
     """Factor by which the quietest quarter exceeds the twentieth: 1 in pure noise, more where the ground differs."""
 
@@ -129,10 +127,8 @@ _FREQUENCIES = 4096
 class Grain:
     """Noise of one size."""
 
-    size: float
-    """Standard deviation of the Gaussian that white noise was smoothed by, px; 0 is white."""
-    sigma: float
-    """Standard deviation of the noise, DN."""
+    size: float  # standard deviation of the Gaussian that white noise was smoothed by, px; 0 is white
+    sigma: float  # standard deviation of the noise, DN
 
 
 def possible_grains(

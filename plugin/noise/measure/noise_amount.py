@@ -25,18 +25,13 @@ _CLEAR = 0.5  # of the bound: noise found that strong is all of it; grain beside
 class NoiseAmount(str, Enum):
     """The amount of noise by the signal to noise ratio."""
 
-    LITTLE = "little"
-    """A ratio of 40 or more, or no more than rounding."""
-    SOME = "some"
-    """A ratio of 10 to 40."""
-    MUCH = "much"
-    """A ratio below 10."""
+    LITTLE = "little"  # a ratio of 40 or more, or no more than rounding
+    SOME = "some"  # a ratio of 10 to 40
+    MUCH = "much"  # a ratio below 10
     AT_MOST_SOME = "at most some"
     """A ratio of 10 or more: little was found, and coarse grain that can hide in the texture would make it some."""
-    UNCERTAIN = "uncertain"
-    """Coarse grain that can hide in the texture would make it much."""
-    NOT_MEASURABLE = "not measurable"
-    """There is no noise figure, or no signal to compare it with."""
+    UNCERTAIN = "uncertain"  # coarse grain that can hide in the texture would make it much
+    NOT_MEASURABLE = "not measurable"  # there is no noise figure, or no signal to compare it with
 
 
 _ORDER = (NoiseAmount.LITTLE, NoiseAmount.SOME, NoiseAmount.MUCH)
