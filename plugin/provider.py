@@ -22,9 +22,8 @@ from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
 from .seams.algorithms.scanmosaic import ScanMosaic
-from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel
+from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel, PlanPoints
 from .sensors.orthorectify import Orthorectify, OrthorectifyPhotos
-from .sensors.planpoints import PlanPoints
 from .toolkit.algorithms.base import ReadyModel
 from .toolkit.algorithms.outputs import RASTER_ENDINGS
 from .toolkit.resources import icon_path, model_paths
