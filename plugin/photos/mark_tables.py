@@ -41,7 +41,7 @@ def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
         place = gdal.ApplyGeoTransform(photo.raster.placement, *mark.place)
         geometry = QgsGeometry.fromPointXY(QgsPointXY(*place))
     reason = sentence(mark.reason) if mark.reason is not None else None
-    values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status.value]
+    values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status]
     return feature(mark_fields(), [*values, reason, photo.ref.name], geometry)
 
 

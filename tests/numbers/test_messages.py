@@ -8,15 +8,12 @@ import string
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import Enum
 from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.imagery.errors import Level, Message, placeholders
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure import messages as photos_messages
-from seam_inspector.plugin.photos.measure.orientation import MarkStatus
-from seam_inspector.plugin.photos.measure.scan_orientation import OrientationEvidence
-from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 CODE = ("plugin", "tests", "demo", "benchmarks")
 FAMILIES = (
@@ -177,9 +174,9 @@ def test_what_an_exception_carries_is_an_error(all_uses: list[Use]) -> None:
     assert {place: level for place, level in levels.items() if level is not Level.ERROR} == {}
 
 
-@pytest.mark.parametrize("words", [PlaneModel, MarkStatus, OrientationEvidence])
-def test_every_word_of_a_photo_has_its_message(words: type[Enum]) -> None:
-    assert {word.value for word in words} <= set(photos_messages.WORDS)
+@pytest.mark.parametrize("words", [limits.MODELS, limits.STATES, limits.EVIDENCE])
+def test_every_word_of_a_photo_has_its_message(words: tuple[str, ...]) -> None:
+    assert set(words) <= set(photos_messages.WORDS)
 
 
 ALL_SHOWN = {

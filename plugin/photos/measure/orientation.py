@@ -4,15 +4,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import Enum
 
 from ...imagery.errors import Message
 from . import limits
 from .mark_templates import CutOut, MarkShape
-from .measuring_marks import MeasuredMark, SurfaceBasis
+from .measuring_marks import MeasuredMark
 from .photo import PhotoView, Place
-from .scan_orientation import OrientationEvidence, ScanOrientation
-from .transformations import PlaneModel, Transformation
+from .scan_orientation import ScanOrientation
+from .transformations import Transformation
 
 
 @dataclass(frozen=True)
@@ -30,14 +29,6 @@ class FittedTransformation:
         return math.hypot(self.rms_x, self.rms_y)
 
 
-class MarkStatus(Enum):
-    """The origin of a mark's place."""
-
-    MEASURED = "measured"
-    GIVEN = "given"
-    FAILED = "failed"
-
-
 @dataclass(frozen=True)
 class OrientationSettings:
     template: CutOut | None = None  # the user's own; else marks are drawn
@@ -46,8 +37,8 @@ class OrientationSettings:
     """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
     search_mm: float = limits.DEFAULT_SEARCH_MM  # distance around a position within which its mark is looked for, mm
     min_correlation: float = limits.DEFAULT_MIN_CORRELATION  # smallest correlation of a measured mark
-    surface: SurfaceBasis = SurfaceBasis.CORRELATION  # what a mark is placed to a fraction of a pixel by
-    model: PlaneModel = PlaneModel.AFFINE  # the transformation from the scan to the calibration
+    surface: str = limits.CORRELATION  # what a mark is placed to a fraction of a pixel by
+    model: str = limits.AFFINE  # the transformation from the scan to the calibration
 
 
 @dataclass(frozen=True)
@@ -62,7 +53,7 @@ class MarkResult:
 
     name: str
     calibrated: Place  # mm
-    status: MarkStatus
+    status: str
     place: Place | None  # column and row, px, pixel centres at .5; None where it failed
     correlation: float | None = None
     reason: Message | None = None  # why it failed
@@ -74,14 +65,14 @@ class PhotoOrientation:
     marks: tuple[MarkResult, ...]  # in the order of the calibration
     fitted: FittedTransformation | None  # the transformation; None where too few marks were found
     scan_orientation: ScanOrientation | None  # the way the photo lies in the scan; None where it is not known
-    evidence: OrientationEvidence | None  # the evidence for that
+    evidence: str | None  # the evidence for that
     template: MarkShape | CutOut | None  # the template that the marks were measured with
     notices: tuple[Message, ...] = ()  # warnings and remarks for the user
     views: Mapping[str, PhotoView] = field(default_factory=dict)
     """The surroundings of each mark, for pictures; of a failed one where it should be."""
     expected: Mapping[str, Place] = field(default_factory=dict)  # where failed marks should be, px
 
-    def count(self, status: MarkStatus) -> int:
+    def count(self, status: str) -> int:
         return sum(mark.status is status for mark in self.marks)
 
 
@@ -92,7 +83,7 @@ class MarkSearch:
     results: Mapping[str, MeasuredMark] = field(default_factory=dict)  # by the calibration's names, but for given marks
     template: MarkShape | CutOut | None = None  # what they were measured with
     scan_orientation: ScanOrientation | None = None  # how the photo lies, where the search told
-    evidence: OrientationEvidence | None = None  # what told
+    evidence: str | None = None  # what told
     notices: tuple[Message, ...] = ()  # what the user should know
 
     @property

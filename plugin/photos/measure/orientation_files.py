@@ -41,7 +41,7 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "rows": photo.rows,
         "pixel_coordinates": "column to the right, row downwards, the first pixel's centre at (0.5, 0.5)",
         "photo_coordinates": "mm, x to the right, y upwards",
-        "model": fitted.to_mm.model.value,
+        "model": fitted.to_mm.model,
         "to_mm": fitted.to_mm.matrix.tolist(),
         "to_pixels": fitted.to_pixels.matrix.tolist(),
         "pixel_size_um": pixel_size,  # along the rows and along the columns
@@ -52,7 +52,7 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "lies": None if orientation is None else {
             "turned_deg": orientation.turned,
             "mirrored": orientation.mirrored,
-            "known_by": None if made.evidence is None else made.evidence.value,
+            "known_by": None if made.evidence is None else made.evidence,
         },
         "marks": fitted.marks,
         "redundancy": fitted.redundancy,

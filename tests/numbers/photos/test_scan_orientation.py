@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure.arrangements import Arrangement
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, check_calibration
 from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
@@ -19,7 +20,6 @@ from seam_inspector.plugin.photos.measure.photo import Photo
 from seam_inspector.plugin.photos.measure.scan_orientation import (
     SCAN_ORIENTATIONS,
     Labelling,
-    OrientationEvidence,
     ScanOrientation,
     count_numbering_dots,
     labellings,
@@ -28,7 +28,6 @@ from seam_inspector.plugin.photos.measure.scan_orientation import (
     matching_residuals,
     possible_frames,
 )
-from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 from tests.numbers.photos.photos import CAMERA, EIGHT, Look, Place, make_frame
 from tests.numbers.synthetic import write_plain
@@ -94,14 +93,14 @@ def test_residuals_tell_where_marks_are_no_square_and_only_there(orientation: Sc
     every, _ = candidates(uneven)
     site_of = next(labelling.sites for labelling in every if labelling.orientation == orientation)
     measured = {site_of[name]: place for name, place in in_scan(uneven.marks, orientation).items()}
-    (chosen,) = matching_residuals(every, uneven, measured, PlaneModel.AFFINE)
+    (chosen,) = matching_residuals(every, uneven, measured, limits.AFFINE)
     assert chosen.orientation == orientation
     name, (x, y) = next(iter(measured.items()))
     off = {**measured, name: (x + 6 * SCALE, y)}  # measured badly: no way to lie fits much better than others
-    assert matching_residuals(every, uneven, off, PlaneModel.AFFINE) == []
+    assert matching_residuals(every, uneven, off, limits.AFFINE) == []
     square, _ = candidates(CameraCalibration(CAMERA))
     sites = dict(zip(square[0].sites.values(), in_scan(CAMERA, orientation).values()))
-    assert matching_residuals(square, CameraCalibration(CAMERA), sites, PlaneModel.AFFINE) == []
+    assert matching_residuals(square, CameraCalibration(CAMERA), sites, limits.AFFINE) == []
 
 
 def test_dots_tell_when_all_but_one_of_their_counts_agree() -> None:
@@ -159,7 +158,7 @@ def numbered(tmp_path_factory: pytest.TempPathFactory) -> Scan:
     return Scan(path, {name: (side - x, side - y) for name, (x, y) in frame.places.items()})
 
 
-def oriented(path: str, names: Sequence[str], model: PlaneModel) -> PhotoOrientation:
+def oriented(path: str, names: Sequence[str], model: str) -> PhotoOrientation:
     camera = CameraCalibration({name: EIGHT[name] for name in names})
     check_calibration(camera, model)
     shapes = chosen_shapes("ring with cross", None, None)  # two figures, between which to choose
@@ -174,7 +173,7 @@ def farthest(made: PhotoOrientation, scan: Scan) -> float:
 @pytest.mark.release
 def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
     """A photo of eight marks holds turned ones of a subset too: where nothing tells which it is, that is said."""
-    models = list(PlaneModel)
+    models = list(limits.MODELS)
     one_left_out = SUBSETS[-9:-1]
     for number, names in enumerate([*SUBSETS[::47], *one_left_out]):
         made, complaint = None, ""
@@ -186,23 +185,23 @@ def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
             assert complaint.endswith("."), names
             assert len(names) < 5, complaint
             continue
-        assumed = made.evidence is OrientationEvidence.ASSUMED
+        assumed = made.evidence == limits.ASSUMED
         assert assumed == any("The photo's orientation" in str(notice) for notice in made.notices), names
         assert assumed or farthest(made, bare) < 1, names
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("names", "model", "words"), [
-    ("124", PlaneModel.AFFINE, None), ("2348", PlaneModel.AFFINE, None), ("1234", PlaneModel.PROJECTIVE, None),
-    ("154", PlaneModel.AFFINE, "one line"), ("1827", PlaneModel.PROJECTIVE, "one line"),
-    ("56", PlaneModel.SIMILARITY, "only 2 possible marks .* 3 are needed"), ("", PlaneModel.AFFINE, "few"),
+    ("124", limits.AFFINE, None), ("2348", limits.AFFINE, None), ("1234", limits.PROJECTIVE, None),
+    ("154", limits.AFFINE, "one line"), ("1827", limits.PROJECTIVE, "one line"),
+    ("56", limits.SIMILARITY, "only 2 possible marks .* 3 are needed"), ("", limits.AFFINE, "few"),
 ])
-def test_what_becomes_of_a_subset(numbered: Scan, names: str, model: PlaneModel, words: str | None) -> None:
+def test_what_becomes_of_a_subset(numbered: Scan, names: str, model: str, words: str | None) -> None:
     if words is not None:
         with pytest.raises(PhotoError, match=words):
             oriented(numbered.path, names, model)
         return
     made = oriented(numbered.path, names, model)
-    assert made.evidence is OrientationEvidence.DOTS
+    assert made.evidence == limits.DOTS
     assert all(mark.place for mark in made.marks)
     assert farthest(made, numbered) < 0.2
