@@ -170,21 +170,21 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     ) -> dict[str, Any]:
         """Write the files asked for; without a transformation those of the marks alone, and say so."""
         from ..imagery.atomic_files import save_text
-        from .measure import orientation_files
+        from .measure import orientation
         from .report import OrientationJob, save_orientation_report
 
         job = OrientationJob(photo, calibration, Path(run.path(CALIBRATION)), settings)
         results = run.save(common.REPORT, lambda path: save_orientation_report(path, job, made))
-        measures = orientation_files.measures_text(photo.ref.name, made.marks)
+        measures = orientation.measures_text(photo.ref.name, made.marks)
         results.update(run.save(MEASURES, partial(save_text, measures)))
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
-        known = orientation_files.parameters(photo, calibration, made)
+        known = orientation.parameters(photo, calibration, made)
         text = json.dumps(known, indent=2, ensure_ascii=False) + "\n"
         results.update(run.save(PARAMETERS, partial(save_text, text)))
-        results.update(run.save(WORLD_FILE, partial(save_text, orientation_files.world_file(made))))
+        results.update(run.save(WORLD_FILE, partial(save_text, orientation.world_file(made))))
         return results
 
     def _tell(self, made: PhotoOrientation, run: Run) -> None:

@@ -14,8 +14,7 @@ from ..toolkit.table_fields import attributes, feature, is_known, is_true, numbe
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.mark_comparison import ComparedMark
-from .measure.orientation import GivenPosition, MarkResult
-from .measure.orientation_files import read_measures
+from .measure.orientation import GivenPosition, MarkResult, read_measures
 from .measure.photo import Photo
 
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"

@@ -14,8 +14,7 @@ from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration
 from .measure.mark_templates import MarkShape
-from .measure.orientation import FittedTransformation, MarkResult, OrientationSettings, PhotoOrientation
-from .measure.orientation_files import parameters
+from .measure.orientation import FittedTransformation, MarkResult, OrientationSettings, PhotoOrientation, parameters
 from .measure.photo import Photo, PhotoView, Place
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report

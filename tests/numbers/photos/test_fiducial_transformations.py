@@ -21,8 +21,7 @@ from seam_inspector.plugin.photos.measure.mark_comparison import (
     mark_differences,
     pixel_size,
 )
-from seam_inspector.plugin.photos.measure.orientation import MarkResult
-from seam_inspector.plugin.photos.measure.orientation_files import world_file
+from seam_inspector.plugin.photos.measure.orientation import MarkResult, world_file
 from seam_inspector.plugin.photos.measure.transformations import (
     LEAST_MARKS,
     Transformation,
