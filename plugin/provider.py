@@ -26,7 +26,7 @@ from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel, PlanPoi
 from .sensors.orthorectify import Orthorectify, OrthorectifyPhotos
 from .toolkit.algorithms.base import ReadyModel
 from .toolkit.algorithms.outputs import RASTER_ENDINGS
-from .toolkit.resources import icon_path, model_paths
+from .toolkit.resources import RESOURCES, icon_path
 
 ALGORITHMS = (
     PlaceWindows,
@@ -76,7 +76,7 @@ class SeamInspectorProvider(QgsProcessingProvider):
     def loadAlgorithms(self) -> None:
         for algorithm in ALGORITHMS:
             self.addAlgorithm(algorithm())
-        for path in model_paths():
+        for path in sorted((RESOURCES / "models").glob("*.model3")):
             model = ReadyModel()
-            if model.fromFile(path):
+            if model.fromFile(str(path)):
                 self.addAlgorithm(model)

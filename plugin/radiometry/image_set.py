@@ -227,7 +227,7 @@ _AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue",
 
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
-    decision = decide_image(result).outcome.value
+    decision = decide_image(result).outcome
     return column_features(COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
 
 
