@@ -16,8 +16,8 @@ from ..imagery.wavelets import Curve
 from ..toolkit.table_fields import column_features, column_fields, number
 from ..toolkit.translation import tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
+from .measure.grain import NoiseAmount
 from .measure.group_noise import ClipNoise
-from .measure.noise_amount import NoiseAmount
 
 VERDICT_WORDS = {
     NoiseVerdict.LOW: QT_TR_NOOP("low"),

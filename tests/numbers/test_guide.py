@@ -65,8 +65,7 @@ def test_the_readmes_figures_are_those_of_the_page_that_it_names(
 
 
 _PLACEHOLDER = re.compile(r"\{[^{}]*\}")
-_QUOTED_WORD = re.compile(r"(?<!\w)'[^' ]*'|„[^” ]*”")
-"""Names of fields and values, which no language changes."""
+_QUOTED_WORD = re.compile(r"(?<!\w)'[^' ]*'|„[^” ]*”")  # names of fields and values, which no language changes
 
 
 @pytest.fixture(scope="module")

@@ -21,10 +21,8 @@ FAMILIES = (
     "WINDOWS_RESHAPED",
 )  # fmt: skip
 """Messages that stand in a table without their values, one of which is taken and called: all take the same values."""
-NO_ERROR = ("CancelledError",)
-"""Exceptions by which the user's own wish is told."""
-NUMERIC = "eEfFgGnd%"
-"""The formats that only numbers have."""
+NO_ERROR = ("CancelledError",)  # exceptions by which the user's own wish is told
+NUMERIC = "eEfFgGnd%"  # the formats that only numbers have
 
 
 @dataclass(frozen=True)
@@ -32,15 +30,11 @@ class Use:
     """A place in the code that names a message."""
 
     place: str
-    module: Path
-    """The file of the message, without its ending."""
+    module: Path  # the file of the message, without its ending
     name: str
-    call: ast.Call | None
-    """The call that gives it its values, if there is one."""
-    is_compared: bool
-    """Whether only its text is asked for, or it is held against another one."""
-    exception: str
-    """The exception that it goes into as it is raised."""
+    call: ast.Call | None  # the call that gives it its values, if there is one
+    is_compared: bool  # whether only its text is asked for, or it is held against another one
+    exception: str  # the exception that it goes into as it is raised
 
 
 def imported(tree: ast.Module, path: Path) -> tuple[dict[str, Path], dict[str, tuple[Path, str]]]:

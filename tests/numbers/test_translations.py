@@ -19,8 +19,7 @@ from tools.collect_translations import Translated, found_texts, known_translatio
 
 TEXT_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1, "QT_TR_NOOP": 0}
 """The argument of a call that is a text to translate."""
-CONTEXT = "@default"
-"""The context where the plugin looks for all translations."""
+CONTEXT = "@default"  # the context where the plugin looks for all translations
 
 
 @pytest.fixture(scope="module")

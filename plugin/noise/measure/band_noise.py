@@ -22,15 +22,19 @@ from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_
 from . import messages
 from .grain import (
     Grain,
+    NoiseAmount,
     QuietGround,
     clipped_pixels,
     curve_if_white,
+    noise_amount,
+    noise_found,
     possible_grains,
     quiet_ground,
     recognised_grain,
     unshared_ground,
+    unshared_noise,
+    white_noise,
 )
-from .noise_amount import NoiseAmount, noise_amount, noise_found, unshared_noise, white_noise
 
 
 def inner_ranges(length: int, wavelet: str, levels: int) -> list[slice]:

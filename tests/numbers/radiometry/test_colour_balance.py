@@ -12,8 +12,15 @@ from seam_inspector.plugin.radiometry.measure.assessment import Assessment, deci
 from seam_inspector.plugin.radiometry.measure.image_statistics import LargestValue, range_of_set
 from seam_inspector.plugin.radiometry.measure.rules import REJECTED, UNDECIDED, Rule, RuleSet
 
-from tests.numbers.radiometry.jrc import default_rules
-from tests.numbers.radiometry.judging import checked, checked_figure, checked_set, figure, measured, reasons
+from tests.numbers.radiometry.judging import (
+    checked,
+    checked_figure,
+    checked_set,
+    default_rules,
+    figure,
+    measured,
+    reasons,
+)
 from tests.numbers.synthetic import ORIGIN
 
 MakeRaster = Callable[..., str]

@@ -20,8 +20,7 @@ from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet, load_rules, ready_rule_files
 
 from tests.examples import at_most
-from tests.numbers.radiometry.jrc import default_rules
-from tests.numbers.radiometry.judging import checked, checked_figure, figure, reasons
+from tests.numbers.radiometry.judging import checked, checked_figure, default_rules, figure, reasons
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture, write_raster
 
 MakeRaster = Callable[..., str]
