@@ -27,7 +27,6 @@ VERDICT_WORDS = {
     NoiseVerdict.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
 }
 
-
 AMOUNT_WORDS = {
     NoiseAmount.LITTLE: QT_TR_NOOP("little"),
     NoiseAmount.SOME: QT_TR_NOOP("some"),

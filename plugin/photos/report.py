@@ -48,11 +48,8 @@ def save_orientation_report(path: Path, job: OrientationJob, made: PhotoOrientat
 
 
 def _figures(made: PhotoOrientation) -> list[tuple[str, str]]:
-    words = (
-        (limits.MEASURED, tr("marks measured")), (limits.GIVEN, tr("marks given")),
-        (limits.FAILED, tr("marks failed")),
-    )  # fmt: skip
-    figures = [(str(made.count(status)), name) for status, name in words]
+    words = {limits.MEASURED: tr("marks measured"), limits.GIVEN: tr("marks given"), limits.FAILED: tr("marks failed")}
+    figures = [(str(made.count(status)), name) for status, name in words.items()]
     if made.fitted is not None and made.fitted.redundancy:
         rms = filled("{rms:.1f} µm", rms=made.fitted.rms)
         figures.insert(0, (rms, tr("root mean square of the residuals")))

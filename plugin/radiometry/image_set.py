@@ -221,7 +221,6 @@ COLUMNS: tuple[Column[_Row], ...] = (
 nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
 ``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
 
-
 _AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue", "real"), ("difference", "real"))
 
 

@@ -27,8 +27,7 @@ MIN_MARK_DISTANCE = 0.01  # of the frame: nearer ones are one mark with two name
 Point = tuple[float, float]
 
 FOCAL_LENGTH = "focal_length"
-OTHER_ROWS = ("principal_point", FOCAL_LENGTH, "data_strip")
-"""Rows of the CSV that are no marks, as ``CameraCalibration`` has them."""
+OTHER_ROWS = ("principal_point", FOCAL_LENGTH, "data_strip")  # rows of the CSV that are no marks
 
 
 @dataclass(frozen=True)

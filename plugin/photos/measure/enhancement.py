@@ -15,7 +15,6 @@ from .photo import Photo
 
 MAX_FILTER_PX = 101  # a wider one wants another tool
 
-
 EDGES = (limits.LAPLACE, limits.SOBEL)  # they have signs or grow
 _APPLIED: dict[str, Callable[[np.ndarray, float, float], np.ndarray]] = {
     limits.NEGATIVE: lambda pixels, size, largest: largest - pixels,

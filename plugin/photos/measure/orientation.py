@@ -85,7 +85,7 @@ class PhotoOrientation:
     expected: Mapping[str, Place] = field(default_factory=dict)  # where failed marks should be, px
 
     def count(self, status: str) -> int:
-        return sum(mark.status is status for mark in self.marks)
+        return sum(mark.status == status for mark in self.marks)
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,7 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "lies": None if orientation is None else {
             "turned_deg": orientation.turned,
             "mirrored": orientation.mirrored,
-            "known_by": None if made.evidence is None else made.evidence,
+            "known_by": made.evidence,
         },
         "marks": fitted.marks,
         "redundancy": fitted.redundancy,

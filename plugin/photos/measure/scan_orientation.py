@@ -26,7 +26,6 @@ MIN_DOTS_RATIO = 2.5  # the side with the dots against the next: UNBC 4 to 6
 DOTS_BESIDE_RING = (0.9, 1.25, 2.2, 0.35)  # ring radii, UNBC: half the row's length, its nearest, farthest, a dot
 DOT_PROMINENCE = 0.25  # of the profile's range: UNBC's four dots 0.4
 
-
 Value = TypeVar("Value")
 
 

@@ -12,9 +12,7 @@ from . import limits, messages
 MIN_WIDTH = 0.05  # of marks across the line that they lie along: thinner, an error grows twentyfold beside it
 MIN_CONDITION = 0.02  # of the projective model's equations: four corners have 0.38, three on a line and one beside 0.01
 
-LEAST_MARKS = {limits.SIMILARITY: 2, limits.AFFINE: 3, limits.PROJECTIVE: 4}
-"""Marks that determine a model without any left over for a check."""
-
+LEAST_MARKS = {limits.SIMILARITY: 2, limits.AFFINE: 3, limits.PROJECTIVE: 4}  # with none left over for a check
 _PARAMETERS = {limits.SIMILARITY: 4, limits.AFFINE: 6, limits.PROJECTIVE: 8}
 
 
@@ -65,7 +63,7 @@ def fit_transformation(
     if model == limits.SIMILARITY:
         made = min(
             (_similarity(scaled, target, mirror) for mirror in ((False, True) if mirrored is None else (mirrored,))),
-            key=lambda matrix: _misfit(matrix, scaled, target),
+            key=lambda matrix: float(np.sum((Transformation(limits.AFFINE, matrix)(scaled) - target) ** 2)),
         )
     elif model == limits.AFFINE:
         made = _affine(scaled, target)
@@ -73,10 +71,6 @@ def fit_transformation(
         made = _projective(scaled, target)
     matrix = made @ normalise
     return Transformation(model, matrix / matrix[2, 2])
-
-
-def _misfit(matrix: np.ndarray, source: np.ndarray, target: np.ndarray) -> float:
-    return float(np.sum((Transformation(limits.AFFINE, matrix)(source) - target) ** 2))
 
 
 def _similarity(source: np.ndarray, target: np.ndarray, mirrored: bool) -> np.ndarray:

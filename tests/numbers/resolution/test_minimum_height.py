@@ -17,7 +17,6 @@ from seam_inspector.plugin.resolution.measure.minimum_height import (
 
 POSITIVE = st.floats(0.01, 1e5)
 
-
 TABLE_4A = (
     (2186, -19), (2186, -19), (2628, -3), (2590, -5), (2649, -2), (2885, 6), (2378, -12), (2431, -10), (2490, -8)
 )

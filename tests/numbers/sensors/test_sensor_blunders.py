@@ -209,7 +209,6 @@ QUOTIENTS = [registry.RATIONAL.request(order) for order in "123"]
 SPACE, PLANE = registry.POLYNOMIAL_3D.request("2"), registry.POLYNOMIAL_2D.request("2")
 VENDORS = registry.RPC_BIAS.request("shift", rpc=made_rational(1, 2))
 
-
 MISSES = np.abs(np.random.default_rng(6).normal(1, 0.3, 20))  # of points that no fit has seen, m
 
 
