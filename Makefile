@@ -11,8 +11,8 @@ WITH_DESKTOP := -n $(shell expr `nproc` + 1) --maxprocesses 5 --dist loadfile --
 ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 # Tests of what draws and listens, which ask little of QGIS; those that ask more are skipped
 ALSO_UNDER_QT6 := $(addprefix tests/qgis/,$(addprefix seams/desk/,judging profile/test_profile_panel.py \
-	test_curves_panel.py test_windows_panel.py) $(addprefix toolkit/,test_attribute_values.py test_figure_files.py \
-	test_fitting_tool_bar.py test_latest_only.py test_numbers_in_words.py test_scroll_body.py test_theme.py))
+	test_curves_panel.py test_windows_panel.py) $(addprefix toolkit/,test_attribute_values.py test_latest_only.py \
+	test_numbers_in_words.py test_painting.py test_widgets.py))
 # Of Qt 5 or 6, whichever there is: the compiled file is the same
 LRELEASE = $(firstword $(shell command -v lrelease lrelease-qt5 lrelease-qt6 /usr/lib/qt6/bin/lrelease) lrelease)
 TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))

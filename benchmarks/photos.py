@@ -10,10 +10,11 @@ import numpy as np
 from osgeo import gdal
 from scipy import ndimage
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration
 from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
-from seam_inspector.plugin.photos.measure.mark_templates import MarkKind, MarkShape, draw
-from seam_inspector.plugin.photos.measure.orientation import MarkStatus, OrientationSettings
+from seam_inspector.plugin.photos.measure.mark_templates import MarkShape, draw
+from seam_inspector.plugin.photos.measure.orientation import OrientationSettings
 from seam_inspector.plugin.photos.measure.photo import Photo
 
 from .ground import Ground
@@ -23,7 +24,7 @@ SIDE_PX = 5600  # 42 um on a photo of 23 cm
 SPAN_MM = 212.0
 MOST_SECONDS = 5.0
 CAMERA = {"1": (106.0, -106.0), "2": (-106.0, -106.0), "3": (-106.0, 106.0), "4": (106.0, 106.0)}
-MARK = MarkShape(MarkKind.RING_WITH_CROSS, 38.0, diagonal=True, interrupted=True, softness=1.5)
+MARK = MarkShape(limits.RING_WITH_CROSS, 38.0, diagonal=True, interrupted=True, softness=1.5)
 
 
 def scanned_frame(picture: np.ndarray, path: Path) -> np.ndarray:
@@ -56,7 +57,7 @@ def one_template(path: Path, mark: np.ndarray) -> object:
 def whole(path: Path) -> None:
     """Four marks of a kind, size and angle that nobody says, to a fraction of a pixel, and the transformation."""
     made = orient_photo(Photo(RasterRef(str(path))), CameraCalibration(CAMERA), {}, OrientationSettings())
-    assert made.count(MarkStatus.MEASURED) == len(CAMERA)
+    assert made.count(limits.MEASURED) == len(CAMERA)
 
 
 def run(ground: Ground, quick: bool) -> list[Goal]:

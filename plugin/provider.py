@@ -22,12 +22,11 @@ from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
 from .seams.algorithms.scanmosaic import ScanMosaic
-from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel
+from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel, PlanPoints
 from .sensors.orthorectify import Orthorectify, OrthorectifyPhotos
-from .sensors.planpoints import PlanPoints
 from .toolkit.algorithms.base import ReadyModel
 from .toolkit.algorithms.outputs import RASTER_ENDINGS
-from .toolkit.resources import icon_path, model_paths
+from .toolkit.resources import RESOURCES, icon_path
 
 ALGORITHMS = (
     PlaceWindows,
@@ -77,7 +76,7 @@ class SeamInspectorProvider(QgsProcessingProvider):
     def loadAlgorithms(self) -> None:
         for algorithm in ALGORITHMS:
             self.addAlgorithm(algorithm())
-        for path in model_paths():
+        for path in sorted((RESOURCES / "models").glob("*.model3")):
             model = ReadyModel()
-            if model.fromFile(path):
+            if model.fromFile(str(path)):
                 self.addAlgorithm(model)

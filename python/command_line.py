@@ -37,8 +37,7 @@ from .report_page import save_report
 from .scan_files import write_scan
 from .start import ERROR
 
-ACCEPTED, REJECTED, UNDECIDED = 0, 1, 2
-"""Exit codes, beside ERROR."""
+ACCEPTED, REJECTED, UNDECIDED = 0, 1, 2  # exit codes, beside ERROR
 _CODES = dict(zip(AcceptanceOutcome, (ACCEPTED, REJECTED, UNDECIDED)))
 _DECISIONS = "0 accepted; 1 rejected; 2 undecided; 3 error"
 _VERDICTS = "0 no loss is significant; 1 a loss is significant; 2 none is, and a window can't be compared; 3 error"

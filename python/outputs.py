@@ -17,11 +17,9 @@ SEAMS, CELLS, WORST = "seams", "source_cells", "worst_windows"
 GEOPACKAGE, GEOTIFF, PAGE, TABLE, VRT = (".gpkg",), (".tif", ".tiff"), (".html", ".htm"), (".csv",), (".vrt",)
 """Endings of outputs."""
 MADE_BY = "<title>Seam Inspector"
-_BEGINS = {PAGE: MADE_BY, TABLE: "window_id,"}
-"""What is in the first bytes of such a file."""
+_BEGINS = {PAGE: MADE_BY, TABLE: "window_id,"}  # what is in the first bytes of such a file
 _BEGIN_BYTES = 1024
-_DOMAINS = {GEOTIFF: SETTINGS_DOMAIN, VRT: MENDED_DOMAIN}
-"""Metadata domain that each kind of raster has."""
+_DOMAINS = {GEOTIFF: SETTINGS_DOMAIN, VRT: MENDED_DOMAIN}  # metadata domain that each kind of raster has
 
 
 def check_writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable[str]) -> None:

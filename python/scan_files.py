@@ -26,8 +26,7 @@ from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
 from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, check_writing
 
-SEAMLINES = "seamlines_file"
-"""Key, among what a scan tells, of the file of seams that it was given."""
+SEAMLINES = "seamlines_file"  # key, among what a scan tells, of the file of seams that it was given
 _KINDS = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
 
 

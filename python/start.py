@@ -3,8 +3,7 @@ from __future__ import annotations
 
 import sys
 
-ERROR = 3
-"""Exit code of what is no decision."""
+ERROR = 3  # exit code of what is no decision
 
 
 def main() -> int:

@@ -14,8 +14,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from tempfile import TemporaryDirectory
 
 _PATIENCE_S = 120
-_BUDGET_MS = 3000
-"""Budget of the browser's own time, ms, which passes at once while nothing is fetched."""
+_BUDGET_MS = 3000  # budget of the browser's own time, ms, which passes at once while nothing is fetched
 _FRAMES = """<!DOCTYPE html><meta charset="utf-8"><script>
 const found = {};
 function of(name) { return found[name] = found[name] || {ran: 0}; }
@@ -40,14 +39,10 @@ onload = () => setTimeout(() => {
 class SeenPage:
     """One page as it was shown."""
 
-    words: str
-    """All text of it, its title among it."""
-    ran: int
-    """How often anything of it called ``parent.ran(self)``."""
-    handlers: int
-    """Attributes that would run something, if it were clicked at least."""
-    asked: list[str] = field(default_factory=list)
-    """Addresses that were asked for because of it."""
+    words: str  # all text of it, its title among it
+    ran: int  # how often anything of it called ``parent.ran(self)``
+    handlers: int  # attributes that would run something, if it were clicked at least
+    asked: list[str] = field(default_factory=list)  # addresses that were asked for because of it
 
 
 @cache

@@ -40,12 +40,10 @@ class PrintedWord:
 class PrintedPage:
     """One page of a PDF."""
 
-    width: float
-    """Points."""
+    width: float  # points
     height: float
     words: tuple[PrintedWord, ...]
-    ink: np.ndarray
-    """(rows, columns) bool, where anything is printed."""
+    ink: np.ndarray  # (rows, columns) bool, where anything is printed
 
     @property
     def text(self) -> str:

@@ -15,36 +15,25 @@ class Answer:
     """One request and what was sent."""
 
     method: str
-    path: str
-    """Below the folder, with its leading slash and without a query."""
-    start: int
-    """First byte asked for; 0 without a range."""
-    stop: int | None
-    """Behind the last byte asked for; None without an end."""
-    status: int
-    """0 where no answer was given."""
-    sent: int = 0
-    """Bytes of the file."""
+    path: str  # below the folder, with its leading slash and without a query
+    start: int  # first byte asked for; 0 without a range
+    stop: int | None  # behind the last byte asked for; None without an end
+    status: int  # 0 where no answer was given
+    sent: int = 0  # bytes of the file
 
 
 @dataclass(frozen=True)
 class Fault:
     """What goes wrong with one answer."""
 
-    status: int = 0
-    """The answer is this status and nothing else."""
-    silent: bool = False
-    """No answer at all, until the server is closed."""
-    dropped: bool = False
-    """The connection is closed at once."""
-    dripping: float = 0.0
-    """Seconds from each byte to the next."""
-    cut_to: float = 1.0
-    """Share of the bytes that are sent before the connection is closed."""
+    status: int = 0  # the answer is this status and nothing else
+    silent: bool = False  # no answer at all, until the server is closed
+    dropped: bool = False  # the connection is closed at once
+    dripping: float = 0.0  # seconds from each byte to the next
+    cut_to: float = 1.0  # share of the bytes that are sent before the connection is closed
     claimed: int = 0
     """So many bytes more than there are, of the file and of what is sent, are said to come; the connection stays."""
-    endless: bool = False
-    """Whatever is asked for, bytes come and never end."""
+    endless: bool = False  # whatever is asked for, bytes come and never end
 
 
 NONE = Fault()
@@ -57,8 +46,7 @@ class RangeServer:
     folder: Path
     port: int = 0
     answers: list[Answer] = field(default_factory=list)
-    fault: Callable[[Answer], Fault] = lambda asked: NONE
-    """Given what was asked for, before it is answered."""
+    fault: Callable[[Answer], Fault] = lambda asked: NONE  # given what was asked for, before it is answered
     closing: threading.Event = field(default_factory=threading.Event)
 
     def address(self, name: str) -> str:

@@ -16,8 +16,8 @@ from ..imagery.wavelets import Curve
 from ..toolkit.table_fields import column_features, column_fields, number
 from ..toolkit.translation import tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
+from .measure.grain import NoiseAmount
 from .measure.group_noise import ClipNoise
-from .measure.noise_amount import NoiseAmount
 
 VERDICT_WORDS = {
     NoiseVerdict.LOW: QT_TR_NOOP("low"),
@@ -26,7 +26,6 @@ VERDICT_WORDS = {
     NoiseVerdict.STRONG: QT_TR_NOOP("strong"),
     NoiseVerdict.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
 }
-
 
 AMOUNT_WORDS = {
     NoiseAmount.LITTLE: QT_TR_NOOP("little"),
@@ -75,8 +74,7 @@ class NoiseGroup:
 
     window_class: str | None
     group: int
-    name: str
-    """Name of the group of images."""
+    name: str  # name of the group of images
     results: tuple[ClipNoise, ...]
 
     @property

@@ -10,11 +10,11 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
+from .measure import limits
 
 DEFAULT_FILTER_PX = 3.0  # the usual 3 x 3
 
 PHOTO, OPERATION, SIZE, OUTPUT = "PHOTO", "OPERATION", "SIZE", "OUTPUT"
-OPERATIONS = ("negative", "grey", "mean", "gaussian", "laplace", "sobel")
 
 
 class EnhancePhoto(SeamInspectorAlgorithm):
@@ -32,7 +32,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.raster(PHOTO, tr("Photo")), tr("Any raster that GDAL reads."))
-        self.addDescribed(common.choice(OPERATION, tr("Operation"), OPERATIONS), tr(
+        self.addDescribed(common.choice(OPERATION, tr("Operation"), limits.OPERATIONS), tr(
             "negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel "
             "(length of the gradient) are floating point."
         ))
@@ -50,9 +50,8 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self._photo = run.required_raster(PHOTO)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .measure.enhancement import Operation, enhance
+        from .measure.enhancement import enhance
 
         path = run.layer_path(OUTPUT)
-        operation, size = Operation(run.word(OPERATION)), run.real(SIZE)
-        enhance(self._photo, path, operation, size, run.is_cancelled, run.progress)
+        enhance(self._photo, path, run.word(OPERATION), run.real(SIZE), run.is_cancelled, run.progress)
         return {OUTPUT: path}

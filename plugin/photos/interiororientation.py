@@ -31,12 +31,10 @@ SEARCH, MIN_CORRELATION, SURFACE, MODEL = "SEARCH", "MIN_CORRELATION", "SURFACE"
 OUTPUT, PARAMETERS, WORLD_FILE, MEASURES = "OUTPUT", "PARAMETERS", "WORLD_FILE", "MEASURES"
 
 AUTOMATIC = "automatic"
-KINDS = (AUTOMATIC, "cross", "dot", "ring with dot", "ring with cross", "wedge")
+KINDS = (AUTOMATIC, *limits.KINDS)
 DIRECTIONS = (AUTOMATIC, "upright", "diagonal")
 CENTRES = (AUTOMATIC, "whole", "interrupted")
 TONES = (AUTOMATIC, "light on dark", "dark on light")
-SURFACES = ("correlation", "brightness")
-MODELS = ("affine", "similarity", "projective")
 
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
 
@@ -96,11 +94,11 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         usual = limits.DEFAULT_MIN_CORRELATION
         least = common.real(MIN_CORRELATION, tr("Smallest correlation"), usual, 0, 1, decimals=None)
         self.addDescribed(least, tr("A mark whose best correlation is smaller fails."))
-        self.addDescribed(common.choice(SURFACE, tr("Surface"), SURFACES), tr(
+        self.addDescribed(common.choice(SURFACE, tr("Surface"), limits.SURFACES), tr(
             "What the second-degree surface is laid through: the correlations around the best pixel, or the brightness "
             "of the photo as in the paper."
         ), advanced=True)
-        self.addDescribed(common.choice(MODEL, tr("Transformation"), MODELS), tr(
+        self.addDescribed(common.choice(MODEL, tr("Transformation"), limits.MODELS), tr(
             "Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."
         ))
         self.addDescribed(common.result(OUTPUT, tr("Marks"), common.POINT), tr(
@@ -140,7 +138,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..toolkit import layers
         from . import mark_tables
         from .measure.interior_orientation import orient_photo
-        from .measure.orientation import MarkStatus
         from .measure.photo import scanned_photo
 
         calibration = self._calibration(run)
@@ -159,7 +156,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         run.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
         run.style(destination, "marks")
         self._tell(made, run)
-        failed = made.count(MarkStatus.FAILED)
+        failed = made.count(limits.FAILED)
         results: dict[str, Any] = {OUTPUT: destination, MARKS: len(made.marks) - failed, FAILED: failed}
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
@@ -173,21 +170,21 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     ) -> dict[str, Any]:
         """Write the files asked for; without a transformation those of the marks alone, and say so."""
         from ..imagery.atomic_files import save_text
-        from .measure import orientation_files
+        from .measure import orientation
         from .report import OrientationJob, save_orientation_report
 
         job = OrientationJob(photo, calibration, Path(run.path(CALIBRATION)), settings)
         results = run.save(common.REPORT, lambda path: save_orientation_report(path, job, made))
-        measures = orientation_files.measures_text(photo.ref.name, made.marks)
+        measures = orientation.measures_text(photo.ref.name, made.marks)
         results.update(run.save(MEASURES, partial(save_text, measures)))
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
-        known = orientation_files.parameters(photo, calibration, made)
+        known = orientation.parameters(photo, calibration, made)
         text = json.dumps(known, indent=2, ensure_ascii=False) + "\n"
         results.update(run.save(PARAMETERS, partial(save_text, text)))
-        results.update(run.save(WORLD_FILE, partial(save_text, orientation_files.world_file(made))))
+        results.update(run.save(WORLD_FILE, partial(save_text, orientation.world_file(made))))
         return results
 
     def _tell(self, made: PhotoOrientation, run: Run) -> None:
@@ -197,7 +194,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
                 run.tell(imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
         if made.fitted is not None:
             words = tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.")
-            model = sentence(messages.WORDS[made.fitted.to_mm.model.value])
+            model = sentence(messages.WORDS[made.fitted.to_mm.model])
             run.inform(filled(words, marks=made.fitted.marks, rms=made.fitted.rms, model=model))
 
     def _calibration(self, run: Run) -> CameraCalibration:
@@ -210,10 +207,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     def _settings(self, run: Run) -> OrientationSettings:
         from .measure.mark_templates import chosen_shapes, cut_out
-        from .measure.measuring_marks import SurfaceBasis
         from .measure.orientation import OrientationSettings
         from .measure.photo import scanned_photo
-        from .measure.transformations import PlaneModel
 
         template = getattr(self, "_template_ref", None) or run.raster(TEMPLATE)
         kind, direction, centre = (run.word(name) for name in (TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE))
@@ -228,6 +223,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             sign={TONES[1]: 1, TONES[2]: -1}.get(run.word(TEMPLATE_TONE)),
             search_mm=run.real(SEARCH),
             min_correlation=run.real(MIN_CORRELATION),
-            surface=SurfaceBasis(run.word(SURFACE)),
-            model=PlaneModel(run.word(MODEL)),
+            surface=run.word(SURFACE),
+            model=run.word(MODEL),
         )

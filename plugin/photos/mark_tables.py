@@ -14,8 +14,7 @@ from ..toolkit.table_fields import attributes, feature, is_known, is_true, numbe
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.mark_comparison import ComparedMark
-from .measure.orientation import GivenPosition, MarkResult
-from .measure.orientation_files import read_measures
+from .measure.orientation import GivenPosition, MarkResult, read_measures
 from .measure.photo import Photo
 
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"
@@ -41,7 +40,7 @@ def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
         place = gdal.ApplyGeoTransform(photo.raster.placement, *mark.place)
         geometry = QgsGeometry.fromPointXY(QgsPointXY(*place))
     reason = sentence(mark.reason) if mark.reason is not None else None
-    values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status.value]
+    values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status]
     return feature(mark_fields(), [*values, reason, photo.ref.name], geometry)
 
 

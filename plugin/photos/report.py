@@ -14,15 +14,13 @@ from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration
 from .measure.mark_templates import MarkShape
-from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, OrientationSettings, PhotoOrientation
-from .measure.orientation_files import parameters
+from .measure.orientation import FittedTransformation, MarkResult, OrientationSettings, PhotoOrientation, parameters
 from .measure.photo import Photo, PhotoView, Place
-from .measure.transformations import PlaneModel
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
 
-_COLOURS = {MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0), MarkStatus.FAILED: (255, 70, 70)}
+_COLOURS = {limits.MEASURED: (0, 230, 130), limits.GIVEN: (255, 170, 0), limits.FAILED: (255, 70, 70)}
 
 
 @dataclass(frozen=True)
@@ -45,16 +43,13 @@ def save_orientation_report(path: Path, job: OrientationJob, made: PhotoOrientat
         scan=[] if made.fitted is None else _scan(job, made),
         transformation=None if made.fitted is None else _transformation(made.fitted),
         scan_orientation=made.scan_orientation,
-        evidence=None if made.evidence is None else sentence(messages.WORDS[made.evidence.value]),
+        evidence=None if made.evidence is None else sentence(messages.WORDS[made.evidence]),
     )  # fmt: skip
 
 
 def _figures(made: PhotoOrientation) -> list[tuple[str, str]]:
-    words = (
-        (MarkStatus.MEASURED, tr("marks measured")), (MarkStatus.GIVEN, tr("marks given")),
-        (MarkStatus.FAILED, tr("marks failed")),
-    )  # fmt: skip
-    figures = [(str(made.count(status)), name) for status, name in words]
+    words = {limits.MEASURED: tr("marks measured"), limits.GIVEN: tr("marks given"), limits.FAILED: tr("marks failed")}
+    figures = [(str(made.count(status)), name) for status, name in words.items()]
     if made.fitted is not None and made.fitted.redundancy:
         rms = filled("{rms:.1f} µm", rms=made.fitted.rms)
         figures.insert(0, (rms, tr("root mean square of the residuals")))
@@ -67,15 +62,15 @@ def _row(mark: MarkResult) -> list[str | None]:
     return [
         mark.name, _number(column, 3), _number(row, 3), _number(mark.calibrated[0], 3),
         _number(mark.calibrated[1], 3), _number(residual_x, 1), _number(residual_y, 1),
-        _number(mark.correlation, 3), sentence(messages.WORDS[mark.status.value]),
+        _number(mark.correlation, 3), sentence(messages.WORDS[mark.status]),
         None if mark.reason is None else sentence(mark.reason),
     ]  # fmt: skip
 
 
 def _transformation(fitted: FittedTransformation) -> dict[str, object]:
-    rows = 3 if fitted.to_mm.model is PlaneModel.PROJECTIVE else 2  # the others' third is 0 0 1
+    rows = 3 if fitted.to_mm.model == limits.PROJECTIVE else 2  # the others' third is 0 0 1
     return {
-        "model": sentence(messages.WORDS[fitted.to_mm.model.value]),
+        "model": sentence(messages.WORDS[fitted.to_mm.model]),
         "marks": fitted.marks,
         "redundancy": fitted.redundancy,
         "elements": [
@@ -105,7 +100,7 @@ def _settings(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, st
     settings, template = job.settings, made.template
     facts = [(tr("calibration"), whole_path(str(job.calibration_path)))]
     if isinstance(template, MarkShape):
-        words = sentence(messages.WORDS[template.kind.value])
+        words = sentence(messages.WORDS[template.kind])
         facts.append((tr("marks drawn as"), filled("{words}, {size:.1f} px", words=words, size=template.size)))
     elif template is not None:
         rows, columns = template.pixels.shape
@@ -115,7 +110,7 @@ def _settings(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, st
         *facts,
         (tr("smallest correlation"), shown_number(settings.min_correlation, 2)),
         (tr("search"), filled("{mm:g} mm", mm=settings.search_mm)),
-        (tr("surface"), sentence(messages.WORDS[settings.surface.value])),
+        (tr("surface"), sentence(messages.WORDS[settings.surface])),
         (tr("largest distance of a mark from its place"), largest),
     ]
 
@@ -132,7 +127,7 @@ def _picture(mark: MarkResult, made: PhotoOrientation) -> tuple[bytes, int, str]
     return encoded(pixels, "PNG"), pixels.shape[1], words
 
 
-def marked(status: MarkStatus, place: Place, view: PhotoView) -> np.ndarray:
+def marked(status: str, place: Place, view: PhotoView) -> np.ndarray:
     """The surroundings of a mark, magnified, with a cross at its place: (rows, columns, 3) uint8."""
     times = PICTURE_MAGNIFICATION
     low, high = np.percentile(view.pixels, (0.5, 99.5))

@@ -155,7 +155,7 @@ class CheckRadiometry(RasterListAlgorithm):
             MAYBE_GREY: grey_id,
             **({} if decision is None else {
                 **run.save(common.REPORT, lambda path: _save_report(path, decision, unseen, rules)),
-                DECISION: decision.outcome.value,
+                DECISION: decision.outcome,
                 REASONS: " ".join(words.decision_reasons(decision)),
             }),
             PASSED_COUNT: states.count(True),

@@ -221,13 +221,12 @@ COLUMNS: tuple[Column[_Row], ...] = (
 nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
 ``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
 
-
 _AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue", "real"), ("difference", "real"))
 
 
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
-    decision = decide_image(result).outcome.value
+    decision = decide_image(result).outcome
     return column_features(COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
 
 

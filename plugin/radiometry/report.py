@@ -14,7 +14,8 @@ from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import filled, sentence, shown_number, tr
 from .measure import limits, messages
-from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
+from .measure import rules as checks
+from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision
 from .measure.image_statistics import Histogram
 from .measure.rules import CLIPPED_HIGH, CLIPPED_LOW, LUMINOSITY, PEAK, SEAM_CONTRAST, SEAM_STEP, RuleSet
 from .words import (
@@ -32,11 +33,7 @@ from .words import (
     title,
 )
 
-_STATES = {
-    RadiometricOutcome.ACCEPTED: "good",
-    RadiometricOutcome.REJECTED: "bad",
-    RadiometricOutcome.UNDECIDED: "open",
-}
+_STATES = {checks.ACCEPTED: "good", checks.REJECTED: "bad", checks.UNDECIDED: "open"}
 _MOST_HISTOGRAMS = 100  # a tenth of a second each
 
 
@@ -49,7 +46,7 @@ def save_radiometry_report(
     figure = balance_figure(results) if pairs else None
     sources = list(dict.fromkeys(rule.source for rule in rules.rules))
     remarks = [*notices, *(notice for result in results for notice in result.notices)]
-    accepted = [image.outcome is RadiometricOutcome.ACCEPTED for image in decision.images]
+    accepted = [image.outcome == checks.ACCEPTED for image in decision.images]
     drawn = sorted(range(len(results)), key=accepted.__getitem__)[:_MOST_HISTOGRAMS]
     if len(drawn) < len(results):
         remarks.append(messages.HISTOGRAMS_OF_SOME(drawn=len(drawn), count=len(results)))
@@ -96,7 +93,7 @@ def _overview(image: ImageDecision) -> list[object]:
 
 def _section(image: ImageDecision, sources: Sequence[str], is_drawn: bool) -> dict[str, object]:
     """The page's section on one image: a row for each check, a column for each band."""
-    result, is_without_limit = image.result, image.outcome is RadiometricOutcome.UNDECIDED and not image.missed
+    result, is_without_limit = image.result, image.outcome == checks.UNDECIDED and not image.missed
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked

@@ -8,8 +8,8 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ..imagery.errors import in_sentence
 from ..toolkit.translation import band_title, decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks
-from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
-from .measure.rules import ALL_BANDS, EACH_BAND, LUMINOSITY, Rule
+from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision
+from .measure.rules import ACCEPTED, ALL_BANDS, EACH_BAND, LUMINOSITY, REJECTED, UNDECIDED, Rule
 
 _MOST_NAMED = 5  # images in one sentence; the others are counted
 
@@ -24,9 +24,9 @@ CHECK_WORDS = {
     checks.SEAM_CONTRAST: QT_TR_NOOP("contrast beside the seams"),
 }
 OUTCOME_WORDS = {
-    RadiometricOutcome.ACCEPTED: QT_TR_NOOP("accepted"),
-    RadiometricOutcome.REJECTED: QT_TR_NOOP("rejected"),
-    RadiometricOutcome.UNDECIDED: QT_TR_NOOP("undecided"),
+    ACCEPTED: QT_TR_NOOP("accepted"),
+    REJECTED: QT_TR_NOOP("rejected"),
+    UNDECIDED: QT_TR_NOOP("undecided"),
 }
 _BAND_WORDS = {
     ALL_BANDS: QT_TR_NOOP("between bands"),
@@ -123,7 +123,7 @@ def decision_word(decision: RadiometricDecision) -> str:
 def decision_reasons(decision: RadiometricDecision) -> list[str]:
     """The reasons, a sentence each: the images that reject it or leave it open, what was not measured, what lacks."""
     said = []
-    rejected, undecided = map(decision.those, (RadiometricOutcome.REJECTED, RadiometricOutcome.UNDECIDED))
+    rejected, undecided = map(decision.those, (REJECTED, UNDECIDED))
     if rejected:
         failed = checks_words(checked for image in rejected for checked in image.failed)
         said.append(filled(tr("Beyond their limits: {images}; by {checks}."), images=_names(rejected), checks=failed))

@@ -145,8 +145,6 @@ def _names(result: GroupResult) -> tuple[object, str, str]:
 
 _LARGEST_PX = 3200  # of the target's longer side: a larger one is not read for a picture
 _ROOM = np.array([7.0, 4.0])  # inches: width and height of the picture at most
-_GAP = 0.12  # inches between strips
-_MOST_STRIPS = 8
 _LARGEST_PIXEL = 0.08  # inches: no pixel is shown larger
 _LETTERS = 7.0  # points
 _POINT = 1 / 72  # inches
@@ -155,11 +153,7 @@ Line = Sequence[GroupResult]
 
 
 def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
-    """The image around all lines, each line in the colour of its verdict; None when no line lies on the image.
-
-    A target far wider than high, or higher than wide, is cut into strips below or beside each other. They overlap, so
-    that each group is whole in one of them.
-    """
+    """The image around all lines, each line in the colour of its verdict; None when no line lies on the image."""
     lines = [line for line in lines_of(results) if line[0].measured.segment is not None]
     if not lines:
         return None
@@ -170,30 +164,19 @@ def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | N
     size = np.minimum(np.ceil(ends.max(axis=(0, 1)) + margin), (raster.columns, raster.rows)).astype(int) - first
     if size.max() > _LARGEST_PX:
         return None
-    axis = int(size[1] > size[0])  # along which the target is longer: 0 for columns, 1 for rows
-    breadth, counts = size[1 - axis], np.arange(1, _MOST_STRIPS + 1)
-    lengths = np.minimum(np.ceil(size[axis] / counts + (counts > 1) * (longest + margin)), size[axis]).astype(int)
-    across = (_ROOM[1 - axis] - _GAP * (counts - 1)) / (counts * breadth)
-    scales = np.minimum(_ROOM[axis] / lengths, across).clip(max=_LARGEST_PIXEL)  # inches a pixel
-    best = int(scales.argmax())
-    count, length, scale = int(counts[best]), int(lengths[best]), float(scales[best])
-    shape = length * scale, count * breadth * scale + (count - 1) * _GAP
-    width, height = shape[::-1] if axis else shape
-    figure, gap = new_figure(width, height, layout=None), _GAP / (breadth * scale)
-    grid = {"left": 0, "right": 1, "bottom": 0, "top": 1, "wspace": gap, "hspace": gap}
-    parts = figure.subplots(*((1, count) if axis else (count, 1)), squeeze=False, gridspec_kw=grid)
-    bands = OpenRaster(raster.ref).read(PixelWindow(*first.tolist(), *size.tolist())).bands
+    scale = min(*(_ROOM / size).tolist(), _LARGEST_PIXEL)  # inches a pixel
+    (left, top), (columns, rows) = first.tolist(), size.tolist()
+    figure = new_figure(columns * scale, rows * scale, layout=None)
+    axes = figure.add_axes((0, 0, 1, 1))
+    bands = OpenRaster(raster.ref).read(PixelWindow(left, top, columns, rows)).bands
     pixels = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
     low, high = np.percentile(pixels, (0.5, 99.5))
-    pixels = np.clip((pixels - low) / max(high - low, 1e-9), 0, 1)
-    for axes, start in zip(parts.flat, np.linspace(0, size[axis] - length, count).astype(int).tolist()):
-        seen = pixels[start : start + length] if axis else pixels[:, start : start + length]
-        (left, top), (height, width) = first + (start * (1 - axis), start * axis), seen.shape[:2]
-        extent = left, left + width, top + height, top
-        axes.imshow(seen, cmap="gray", vmin=0, vmax=1, extent=extent, interpolation="nearest")
-        axes.set_axis_off()
-        _draw_lines(axes, lines, scale)
-        axes.axis(extent)
+    seen = np.clip((pixels - low) / max(high - low, 1e-9), 0, 1)
+    extent = left, left + columns, top + rows, top
+    axes.imshow(seen, cmap="gray", vmin=0, vmax=1, extent=extent, interpolation="nearest")
+    axes.set_axis_off()
+    _draw_lines(axes, lines, scale)
+    axes.axis(extent)
     return figure
 
 

@@ -84,8 +84,7 @@ def field_title(name: str) -> str:
 
 
 _LABELLED = ("category", "range", "rule", "item", "paletteEntry")
-_MARKED = re.compile(r"/\*tr\*/'([^']*)'")
-"""A text within an expression: ``/*tr*/'visible'``."""
+_MARKED = re.compile(r"/\*tr\*/'([^']*)'")  # a text within an expression: ``/*tr*/'visible'``
 
 
 def load_style(layer: QgsMapLayer, name: str) -> None:

@@ -8,7 +8,8 @@ from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtGui import QDesktopServices
 
 _PLUGIN = Path(__file__).parents[2]
-_RESOURCES = _PLUGIN / "resources"
+RESOURCES = _PLUGIN / "resources"
+TRANSLATIONS = str(_PLUGIN / "i18n")
 
 
 def plugin_commit() -> str:
@@ -19,28 +20,16 @@ def plugin_commit() -> str:
 
 
 def icon_path(name: str = "seam_inspector") -> str:
-    return str(_RESOURCES / "icons" / f"{name}.svg")
+    return str(RESOURCES / "icons" / f"{name}.svg")
 
 
 def style_path(name: str) -> str:
-    return str(_RESOURCES / "styles" / f"{name}.qml")
-
-
-def reports_path() -> str:
-    return str(_RESOURCES / "reports")
-
-
-def model_paths() -> list[str]:
-    return [str(path) for path in sorted((_RESOURCES / "models").glob("*.model3"))]
+    return str(RESOURCES / "styles" / f"{name}.qml")
 
 
 def help_url(page: str) -> str:
     """The address of a page of the help that comes with the plugin, for a browser without internet."""
-    return (_RESOURCES / "help" / f"{page}.html").as_uri()
-
-
-def translations_path() -> str:
-    return str(_PLUGIN / "i18n")
+    return (RESOURCES / "help" / f"{page}.html").as_uri()
 
 
 FIRST_PAGE = "first_inspection"  # the page for somebody new

@@ -11,7 +11,7 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication, QLocale, QTranslator
 
 from ..imagery.errors import Message
-from .resources import translations_path
+from .resources import TRANSLATIONS
 
 _MOST_DECIMALS = 6
 _LEAST_PERCENT = 0.001
@@ -25,7 +25,7 @@ def tr(text: str) -> str:
 def language() -> str:
     """The language that texts come in: the interface's where they are translated into it, else English."""
     wanted = QgsApplication.locale()[:2]
-    return wanted if os.path.exists(os.path.join(translations_path(), f"seam_inspector_{wanted}.qm")) else "en"
+    return wanted if os.path.exists(os.path.join(TRANSLATIONS, f"seam_inspector_{wanted}.qm")) else "en"
 
 
 def shown_number(value: float, decimals: int = 2) -> str:
@@ -119,7 +119,7 @@ class Translation:
 
     def __init__(self) -> None:
         self._translator = QTranslator()
-        if self._translator.load(f"seam_inspector_{QgsApplication.locale()[:2]}", translations_path()):
+        if self._translator.load(f"seam_inspector_{QgsApplication.locale()[:2]}", TRANSLATIONS):
             QCoreApplication.installTranslator(self._translator)
 
     def remove(self) -> None:

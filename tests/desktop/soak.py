@@ -28,8 +28,7 @@ ALLOWED = {
     "our_objects": 10.0,
 }
 """Growth for each window that is inspected: its row in the layer, the table and the map; results are in a file."""
-HELD = 500
-"""So many results are held in memory as well, which a shorter run does not fill in its first round."""
+HELD = 500  # so many results are held in memory as well, which a shorter run does not fill in its first round
 ALLOWED_HELD = {"rss_mb": 1.5, "python_objects": 100.0, "our_objects": 110.0}
 """Growth for each of them, with its curves and pictures."""
 ALLOWED_AT_ALL = {
@@ -48,8 +47,7 @@ ALLOWED_AT_ALL = {
     "temporary_files": 6,
 }
 """Growth besides, whatever the windows: caches of pixels and of the map that are not full after a round."""
-SLOWER = 2.0
-"""How many times the interface's work of the first round a window and a key may take in the last one."""
+SLOWER = 2.0  # how many times the interface's work of the first round a window and a key may take in the last one
 COLUMNS = {
     "windows": "windows", "judged": "judged", "rss_mb": "MB", "python_objects": "py objects", "our_objects": "ours",
     "qt_objects": "Qt objects", "widgets": "widgets", "scene_items": "items", "layers": "layers", "tasks": "tasks",

@@ -14,8 +14,7 @@ from osgeo import gdal, gdal_array, osr
 
 UTM33 = 32633
 _MOST_SHARED_PX = 1024**2
-ORIGIN = (500000.0, 5000000.0)
-"""x and y of the upper left corner of rasters, unless a test says otherwise."""
+ORIGIN = (500000.0, 5000000.0)  # x and y of the upper left corner of rasters, unless a test says otherwise
 
 GeoTransform = tuple[float, float, float, float, float, float]
 Colour = tuple[int, ...]
@@ -68,12 +67,9 @@ def orthoimage(
 class Decomposition:
     """A clip by ``pywt.wavedec2`` in float64, its mean taken off before."""
 
-    details: tuple[np.ndarray, ...]
-    """All detail coefficients of level 1 (finest), 2, ..., R in a row each."""
-    coarse: np.ndarray
-    """The coarse component at level R."""
-    energy: float
-    """Sum of squares of the clip less its mean."""
+    details: tuple[np.ndarray, ...]  # all detail coefficients of level 1 (finest), 2, ..., R in a row each
+    coarse: np.ndarray  # the coarse component at level R
+    energy: float  # sum of squares of the clip less its mean
 
     @property
     def shares(self) -> np.ndarray:

@@ -1,21 +1,19 @@
-"""Every message is used with the values that its sentence has places for, and at the level that it is used at."""
+"""Every message is used with its sentence's values and at its level, and no text is shown that bypasses ``tr``."""
 from __future__ import annotations
 
 import ast
 import importlib
+import re
 import string
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import Enum
 from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.imagery.errors import Level, Message, placeholders
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure import messages as photos_messages
-from seam_inspector.plugin.photos.measure.orientation import MarkStatus
-from seam_inspector.plugin.photos.measure.scan_orientation import OrientationEvidence
-from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 CODE = ("plugin", "tests", "demo", "benchmarks")
 FAMILIES = (
@@ -23,10 +21,8 @@ FAMILIES = (
     "WINDOWS_RESHAPED",
 )  # fmt: skip
 """Messages that stand in a table without their values, one of which is taken and called: all take the same values."""
-NO_ERROR = ("CancelledError",)
-"""Exceptions by which the user's own wish is told."""
-NUMERIC = "eEfFgGnd%"
-"""The formats that only numbers have."""
+NO_ERROR = ("CancelledError",)  # exceptions by which the user's own wish is told
+NUMERIC = "eEfFgGnd%"  # the formats that only numbers have
 
 
 @dataclass(frozen=True)
@@ -34,15 +30,11 @@ class Use:
     """A place in the code that names a message."""
 
     place: str
-    module: Path
-    """The file of the message, without its ending."""
+    module: Path  # the file of the message, without its ending
     name: str
-    call: ast.Call | None
-    """The call that gives it its values, if there is one."""
-    is_compared: bool
-    """Whether only its text is asked for, or it is held against another one."""
-    exception: str
-    """The exception that it goes into as it is raised."""
+    call: ast.Call | None  # the call that gives it its values, if there is one
+    is_compared: bool  # whether only its text is asked for, or it is held against another one
+    exception: str  # the exception that it goes into as it is raised
 
 
 def imported(tree: ast.Module, path: Path) -> tuple[dict[str, Path], dict[str, tuple[Path, str]]]:
@@ -176,6 +168,53 @@ def test_what_an_exception_carries_is_an_error(all_uses: list[Use]) -> None:
     assert {place: level for place, level in levels.items() if level is not Level.ERROR} == {}
 
 
-@pytest.mark.parametrize("words", [PlaneModel, MarkStatus, OrientationEvidence])
-def test_every_word_of_a_photo_has_its_message(words: type[Enum]) -> None:
-    assert {word.value for word in words} <= set(photos_messages.WORDS)
+@pytest.mark.parametrize("words", [limits.MODELS, limits.STATES, limits.EVIDENCE])
+def test_every_word_of_a_photo_has_its_message(words: tuple[str, ...]) -> None:
+    assert set(words) <= set(photos_messages.WORDS)
+
+
+ALL_SHOWN = {
+    "QAction", "QCheckBox", "QGroupBox", "QLabel", "QMenu", "QPushButton", "QRadioButton", "QgsCollapsibleGroupBox",
+    "addAction", "addButton", "addItem", "addItems", "addMenu", "addRow", "addTab", "addToolBar", "insertItem",
+    "insertMenu", "insertTab", "about", "critical", "information", "question", "warning", "getText", "getDouble",
+    "getOpenFileName", "getSaveFileName", "getExistingDirectory", "createMessage", "pushCritical", "pushInfo",
+    "pushMessage", "pushSuccess", "pushWarning", "reportError", "setProgressText", "showMessage", "showText",
+    "setAccessibleDescription", "setAccessibleName", "setDetailedText", "setFormat", "setHeaderLabels",
+    "setHorizontalHeaderLabels", "setInformativeText", "setItemText", "setLabelText", "setPlaceholderText",
+    "setPrefix", "setSpecialValueText", "setStatusTip", "setSuffix", "setTabText", "setText", "setTitle", "setToolTip",
+    "setWhatsThis", "setWindowTitle", "drawText", "fromFunction",
+}  # fmt: skip
+"""Calls of Qt and QGIS whose texts are all for people."""
+FIRST_SHOWN = {"annotate", "set_title", "set_xlabel", "set_ylabel", "supxlabel", "supylabel", "suptitle", "QgsTask"}
+"""Calls of matplotlib and QGIS that take words of their own after it."""
+OF_NO_LANGUAGE = {"DN", "windows.csv"}
+_WORD = re.compile(r"[^\W\d_]{2}")
+
+
+def bare_texts(source: str) -> Iterator[tuple[int, str]]:
+    """Lines and literals with letters that are shown; what a call returns, that of ``tr`` above all, is none."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call):
+            called = node.func
+            name = called.attr if isinstance(called, ast.Attribute) else getattr(called, "id", "")
+            given = node.args if name in ALL_SHOWN else node.args[:1] if name in FIRST_SHOWN else []
+            for argument in given:
+                yield from ((node.lineno, text) for text in _literals(argument) if _WORD.search(text))
+
+
+def _literals(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    elif not isinstance(node, (ast.Call, ast.Compare, ast.Subscript)):
+        for part in ast.iter_child_nodes(node):
+            yield from _literals(part)
+
+
+def test_no_shown_text_bypasses_the_translation(repository: Path) -> None:
+    bare = [
+        f"{path.relative_to(repository)}, line {line}: {text}"
+        for path in sorted((repository / "plugin").rglob("*.py"))
+        for line, text in bare_texts(path.read_text(encoding="utf-8"))
+        if text not in OF_NO_LANGUAGE
+    ]
+    assert bare == []

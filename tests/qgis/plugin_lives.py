@@ -57,8 +57,7 @@ def left_behind(iface: QgisInterface) -> dict[str, int]:
     return {**counts, **{f"receiver {number}": count for number, count in enumerate([*followed, *receivers()])}}
 
 
-_TURNS = 100
-"""Turns of the event loop, 20 s in all, in which what was deleted goes on a busy machine."""
+_TURNS = 100  # turns of the event loop, 20 s in all, in which what was deleted goes on a busy machine
 
 
 def assert_leaves_nothing(

@@ -45,8 +45,7 @@ class Run:
     results: dict[str, Any]
     log: Log
     context: QgsProcessingContext
-    complaint: str | None = None
-    """Why the algorithm refused the parameters or failed; None when it succeeded."""
+    complaint: str | None = None  # why the algorithm refused the parameters or failed; None when it succeeded
 
     def close(self) -> None:
         """Let go of its layers: those of a run that tests share would else outlive QGIS, and crash."""

@@ -25,8 +25,7 @@ COLUMNS, ROWS = 512, 256  # of the mosaic and its sources
 SHARP, BLURRED = (0, 0, 128, 128), (320, 64, 128, 128)
 """A window on the mosaic's sound half, and one on its blurred half."""
 
-Box = tuple[float, float, float, float]
-"""Column, row, width and height on the mosaic's grid."""
+Box = tuple[float, float, float, float]  # column, row, width and height on the mosaic's grid
 
 
 @dataclass(frozen=True)

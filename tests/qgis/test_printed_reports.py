@@ -134,8 +134,7 @@ def printer() -> None:
         pytest.skip(why)
 
 
-POLISH = (acceptance, many_groups, inspection)
-"""Their tables are the widest, and Polish words are longer."""
+POLISH = (acceptance, many_groups, inspection)  # their tables are the widest, and Polish words are longer
 DAILY = ((radiometry, "en"), (orientation, "en"), (acceptance, "pl"), (inspection, "pl"))
 OTHERS = [(report, "en") for report in REPORTS if report is not many_groups] + [(report, "pl") for report in POLISH]
 PRINTED = [*DAILY, *(pytest.param(*each, marks=pytest.mark.release) for each in OTHERS if each not in DAILY)]

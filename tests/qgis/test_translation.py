@@ -1,7 +1,10 @@
-"""Our texts appear in the language of QGIS's interface. ``make link`` compiles the translations."""
+"""Texts in the interface's language, and decimal commas there, but never in tables and XML that programs read."""
 from __future__ import annotations
 
+import csv
 from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
 
 import pytest
 from qgis.core import QgsApplication
@@ -12,6 +15,12 @@ from seam_inspector.plugin.seams.algorithms.inspectwindows import InspectWindows
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.words import VERDICTS
 from seam_inspector.plugin.toolkit.translation import Translation, sentence, tr
+
+from fuzz.running import outputs
+from tests.qgis.runs import Run, run
+from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
+
+pytestmark = pytest.mark.usefixtures("provider")
 
 ENGLISH, POLISH = "Inspect windows", "Skontroluj okna"
 
@@ -68,3 +77,46 @@ def test_an_algorithm_keeps_its_name_and_shows_polish(translation: Translation) 
 @pytest.mark.parametrize("translation", ["en", "en_US", "de", "C"], indirect=True)
 def test_a_language_we_have_not_shows_english(translation: Translation) -> None:
     assert tr(ENGLISH) == ENGLISH
+
+
+def calls(scene: Scene, given: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    return {
+        "inspectwindows": {
+            "WINDOWS": windows(SHARP, BLURRED), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources},
+        "checkradiometry": {"RASTERS": [str(scene.mosaic)]},
+        "fitsensormodel": {"GCPS": given["gcps"], "HEIGHTS": "ellipsoid", "MODEL": "polynomial_3d"},
+        "interiororientation": {"PHOTO": given["photo"], "CALIBRATION": given["calibration"]},
+    }  # fmt: skip
+
+
+def written(name: str, folder: Path, values: dict[str, Any]) -> Run:
+    """All outputs, tables as CSV."""
+    folder.mkdir()
+    files = {key: path.replace(".gpkg", ".csv") for key, path in outputs(name, folder).items()}
+    ended = run(name, **{**{key: path for key, path in files.items() if not path.endswith(".tif")}, **values})
+    assert ended.complaint is None
+    return ended
+
+
+def numbers(folder: Path) -> dict[str, list[list[str]]]:
+    """Cells of CSV files that are numbers, whatever their decimal sign."""
+    items = {}
+    for path in sorted(folder.glob("*.csv")):
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        items[path.name] = [[cell for cell in row if cell.replace(",", ".").lstrip("-").replace(".", "").isdigit()]
+                            for row in rows]
+    return items
+
+
+@pytest.mark.parametrize("name", ["inspectwindows", "checkradiometry", "fitsensormodel", "interiororientation"])
+def test_tables_have_points(
+    name: str, scene: Scene, given: dict[str, Any], tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    values = calls(scene, given)[name]
+    written(name, tmp_path / "points", values).close()
+    request.getfixturevalue("commas")
+    written(name, tmp_path / "commas", values).close()
+    expected = numbers(tmp_path / "points")
+    assert any(map(len, expected.values()))
+    assert numbers(tmp_path / "commas") == expected

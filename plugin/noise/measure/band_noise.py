@@ -22,15 +22,19 @@ from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_
 from . import messages
 from .grain import (
     Grain,
+    NoiseAmount,
     QuietGround,
     clipped_pixels,
     curve_if_white,
+    noise_amount,
+    noise_found,
     possible_grains,
     quiet_ground,
     recognised_grain,
     unshared_ground,
+    unshared_noise,
+    white_noise,
 )
-from .noise_amount import NoiseAmount, noise_amount, noise_found, unshared_noise, white_noise
 
 
 def inner_ranges(length: int, wavelet: str, levels: int) -> list[slice]:
@@ -56,51 +60,37 @@ MIN_KURTOSIS_VALUES = 192  # 3 x 8 x 8: the kurtosis of fewer Gaussian values is
 class NoiseVerdict(str, Enum):
     """The verdict of the curve on random noise."""
 
-    LOW = "low"
-    """Rises at every level, and would if the noise that can be there were white."""
-    UNCERTAIN = "uncertain"
-    """Rises at every level, but grain as strong as moderate noise can hide in the texture."""
+    LOW = "low"  # rises at every level, and would if the noise that can be there were white
+    UNCERTAIN = "uncertain"  # rises at every level, but grain as strong as moderate noise can hide in the texture
     MODERATE = "moderate"
     """Falls from level 1 to 2, then rises, or would if the grain were white; also any other curve that neither rises
     always nor falls on."""
-    STRONG = "strong"
-    """Falls from level 1 to 2 and from 2 to 3, or would if the grain were white."""
-    NOT_MEASURABLE = "not measurable"
-    """There is no curve."""
+    STRONG = "strong"  # falls from level 1 to 2 and from 2 to 3, or would if the grain were white
+    NOT_MEASURABLE = "not measurable"  # there is no curve
 
 
 @dataclass(frozen=True)
 class BandNoise:
     """The noise of one band of a clip."""
 
-    curve: Curve
-    """Relative variances of the components."""
+    curve: Curve  # relative variances of the components
     kurtosis: tuple[float | None, ...]
     """Kurtosis of level 1 (finest), 2, ..., R: fourth central moment over squared variance of the level's three detail
     components, each less its mean, pooled; 3 for Gaussian noise, more for edges and structure. Without the coefficients
     that see the opposite border. None where a level is empty or too few are left."""
-    sigma: float | None
-    """Robust standard deviation of the noise, DN; None for a constant band."""
-    verdict: NoiseVerdict
-    """What they say about random noise."""
-    note: Message | None = None
-    """Why it can't be measured, or what to take care of."""
+    sigma: float | None  # robust standard deviation of the noise, DN; None for a constant band
+    verdict: NoiseVerdict  # what they say about random noise
+    note: Message | None = None  # why it can't be measured, or what to take care of
     largest_sigma: float | None = None
     """The most that noise can be, grain of up to 1.35 px included, by the quietest ground, DN; None where unknown."""
-    grain: Grain | None = None
-    """Noise coarser than a pixel, where the quiet ground has its spectrum."""
-    noise: float | None = None
-    """Standard deviation of the noise that was told from texture, white or grain, DN."""
-    signal: float | None = None
-    """Mean of the valid pixels, DN."""
-    amount: NoiseAmount = NoiseAmount.NOT_MEASURABLE
-    """How much noise that is, whatever the scene."""
-    ground: tuple[QuietGround | None, ...] = ()
-    """The quiet ground of level 1 (finest), 2, ..., R."""
+    grain: Grain | None = None  # noise coarser than a pixel, where the quiet ground has its spectrum
+    noise: float | None = None  # standard deviation of the noise that was told from texture, white or grain, DN
+    signal: float | None = None  # mean of the valid pixels, DN
+    amount: NoiseAmount = NoiseAmount.NOT_MEASURABLE  # how much noise that is, whatever the scene
+    ground: tuple[QuietGround | None, ...] = ()  # the quiet ground of level 1 (finest), 2, ..., R
     unshared: tuple[QuietGround | None, ...] = ()
     """Quiet ground of what the clip's other bands do not have; empty for a single band, and for the luminance."""
-    are_whole: bool = True
-    """Whether the values are whole numbers."""
+    are_whole: bool = True  # whether the values are whole numbers
 
     @property
     def signal_to_noise(self) -> float | None:

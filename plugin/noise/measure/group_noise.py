@@ -56,8 +56,7 @@ def _summed(values: np.ndarray) -> np.ndarray:
 
 MAX_MASKED_SHARE = 0.05  # filled alike in both groups; a hole of 5 % moves a share by 0.5 % of itself
 
-_Clip = tuple[np.ndarray, np.ndarray]
-"""(bands, rows, columns) and where they are invalid, (rows, columns)."""
+_Clip = tuple[np.ndarray, np.ndarray]  # (bands, rows, columns) and where they are invalid, (rows, columns)
 
 
 @dataclass(frozen=True)
@@ -66,14 +65,11 @@ class ClipNoise:
 
     window_id: int
     part: Part
-    paired: bool
-    """Whether the window was measured on both groups, with the same pixels left out."""
+    paired: bool  # whether the window was measured on both groups, with the same pixels left out
     bands: dict[str, BandNoise]
     """Noise by band name, luminance first where there is one; empty when nothing could be measured."""
-    reason: Message | None = None
-    """Why nothing could be measured."""
-    window_class: str | None = None
-    """The value of the field that windows are grouped by."""
+    reason: Message | None = None  # why nothing could be measured
+    window_class: str | None = None  # the value of the field that windows are grouped by
 
 
 def measure_requests(

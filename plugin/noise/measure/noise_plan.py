@@ -23,8 +23,7 @@ class GroupedImage:
     """An image and the group that it belongs to."""
 
     image: Raster
-    group: int
-    """1 or 2."""
+    group: int  # 1 or 2
     group_name: str = ""
 
     @property

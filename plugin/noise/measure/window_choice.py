@@ -26,12 +26,9 @@ class _Place:
     """A place that was looked at."""
 
     window: PixelWindow
-    apart: bool
-    """Whether it belongs to the places that do not overlap each other."""
-    lowest: float
-    """Smallest value of the bands there."""
-    at_lowest: float
-    """Share of pixels that hold it in one band or another."""
+    apart: bool  # whether it belongs to the places that do not overlap each other
+    lowest: float  # smallest value of the bands there
+    at_lowest: float  # share of pixels that hold it in one band or another
     highest: float
     at_highest: float
 

@@ -17,10 +17,10 @@ import numpy as np
 
 from . import limits
 from .correlation import CorrelatedImage, Peak, peaks
-from .mark_templates import CutOut, MarkKind, MarkShape, Pattern, all_shapes, draw, patterns, wedge_to_middle
+from .mark_templates import CutOut, MarkShape, Pattern, all_shapes, draw, patterns, wedge_to_middle
 from .measuring_marks import window_around, without_slope
 from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means
-from .transformations import PlaneModel, fit_transformation
+from .transformations import fit_transformation
 
 CANDIDATES = 10  # a mark, a figure and a size: places that look alike in a search area
 MIN_CANDIDATE_CORRELATION = 0.4  # of a coarse figure whose size may be off by 10 %
@@ -192,7 +192,7 @@ def best_arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], rea
     chosen = {frame.marks[k]: candidates[k][index] for k, index in best[1].items()}
     places = {mark: (peak.column, peak.row) for mark, peak in chosen.items()}
     source, target = frame.places[list(best[1])], np.array(list(places.values()))
-    matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
+    matrix = fit_transformation(limits.SIMILARITY, source, target, mirrored=False).matrix[:2]
     return Arrangement(frame, None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
 
 
@@ -245,12 +245,12 @@ def turned_with_frame(shape: MarkShape, place: Place, angle: float) -> MarkShape
 def _first_shapes(shape: MarkShape) -> Iterator[MarkShape]:
     for factor in REFINING_SIZES:
         sized = replace(shape, size=shape.size * factor, softness=0.8)
-        if shape.kind in (MarkKind.DOT, MarkKind.WEDGE):
+        if shape.kind in (limits.DOT, limits.WEDGE):
             yield sized
             continue
         for width in (0.06, 0.12):
             yield replace(sized, width=width)
-            if shape.kind is MarkKind.RING_WITH_CROSS:
+            if shape.kind == limits.RING_WITH_CROSS:
                 yield replace(sized, width=width, reach=1.6)
 
 
@@ -260,9 +260,9 @@ def _similar_shapes(shape: MarkShape) -> Iterator[MarkShape]:
     for factor in (0.8, 1.25):
         yield replace(shape, softness=min(max(shape.softness * factor, limits.PIXEL_SOFTNESS), shape.size / 4))
         yield replace(shape, width=min(max(shape.width * factor, 0.02), 0.3))
-    if shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS):
+    if shape.kind in (limits.CROSS, limits.RING_WITH_CROSS):
         yield replace(shape, interrupted=not shape.interrupted)
-    if shape.kind is MarkKind.RING_WITH_CROSS:
+    if shape.kind == limits.RING_WITH_CROSS:
         for reach in (1.0, 1.4, 1.8):
             yield replace(shape, reach=reach)
 

@@ -18,7 +18,7 @@ from ...imagery.documents import document_bytes, looks_like_xml, xml_root
 from ...imagery.errors import PhotoError
 from ...imagery.messages import system_reason
 from . import messages
-from .transformations import LEAST_MARKS, PlaneModel, fit_transformation
+from .transformations import LEAST_MARKS, fit_transformation
 
 MIN_FRAME_MM = 24.0  # the short side of 35 mm film, the smallest frame; 23 cm given in centimetres is below it
 MAX_FRAME_MM = 1000.0  # no frame is that long; 23 cm given in micrometres is far above it
@@ -27,8 +27,7 @@ MIN_MARK_DISTANCE = 0.01  # of the frame: nearer ones are one mark with two name
 Point = tuple[float, float]
 
 FOCAL_LENGTH = "focal_length"
-OTHER_ROWS = ("principal_point", FOCAL_LENGTH, "data_strip")
-"""Rows of the CSV that are no marks, as ``CameraCalibration`` has them."""
+OTHER_ROWS = ("principal_point", FOCAL_LENGTH, "data_strip")  # rows of the CSV that are no marks
 
 
 @dataclass(frozen=True)
@@ -65,11 +64,11 @@ def read_calibration(path: Path) -> CameraCalibration:
     return calibration
 
 
-def check_calibration(calibration: CameraCalibration, model: PlaneModel) -> None:
+def check_calibration(calibration: CameraCalibration, model: str) -> None:
     """Raise PhotoError for a calibration from which no interior orientation can be had."""
     count, least = len(calibration.marks), LEAST_MARKS[model]
     if count < least:
-        raise PhotoError(messages.TOO_FEW_CALIBRATED(count=count, model=messages.WORDS[model.value], least=least))
+        raise PhotoError(messages.TOO_FEW_CALIBRATED(count=count, model=messages.WORDS[model], least=least))
     span = calibration.span
     if not MIN_FRAME_MM <= span <= MAX_FRAME_MM:
         raise PhotoError(messages.CALIBRATION_UNIT(span=span, least=MIN_FRAME_MM, most=MAX_FRAME_MM))

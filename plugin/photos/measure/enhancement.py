@@ -1,7 +1,6 @@
 """Simple operations on whole photos, in strips, their place on the map kept (Mikrut and Chwastek 2007, section 3.3)."""
 from __future__ import annotations
 
-from enum import Enum
 from typing import Callable
 
 import numpy as np
@@ -11,29 +10,19 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, SettingsError
 from ...imagery.raster_writer import WrittenBands, raster_writer
 from ...imagery.rasters import RasterRef
-from . import messages
+from . import limits, messages
 from .photo import Photo
 
 MAX_FILTER_PX = 101  # a wider one wants another tool
 
-
-class Operation(Enum):
-    NEGATIVE = "negative"
-    GREY = "grey"
-    MEAN = "mean"
-    GAUSSIAN = "gaussian"
-    LAPLACE = "laplace"
-    SOBEL = "sobel"
-
-
-EDGES = (Operation.LAPLACE, Operation.SOBEL)  # they have signs or grow
-_APPLIED: dict[Operation, Callable[[np.ndarray, float, float], np.ndarray]] = {
-    Operation.NEGATIVE: lambda pixels, size, largest: largest - pixels,
-    Operation.GREY: lambda pixels, size, largest: pixels * (255 / largest),
-    Operation.MEAN: lambda pixels, size, largest: ndimage.uniform_filter(pixels, (0, int(size), int(size))),
-    Operation.GAUSSIAN: lambda pixels, size, largest: ndimage.gaussian_filter(pixels, (0, size, size)),
-    Operation.LAPLACE: lambda pixels, size, largest: np.stack([ndimage.laplace(band) for band in pixels]),
-    Operation.SOBEL: lambda pixels, size, largest: np.stack([
+EDGES = (limits.LAPLACE, limits.SOBEL)  # they have signs or grow
+_APPLIED: dict[str, Callable[[np.ndarray, float, float], np.ndarray]] = {
+    limits.NEGATIVE: lambda pixels, size, largest: largest - pixels,
+    limits.GREY: lambda pixels, size, largest: pixels * (255 / largest),
+    limits.MEAN: lambda pixels, size, largest: ndimage.uniform_filter(pixels, (0, int(size), int(size))),
+    limits.GAUSSIAN: lambda pixels, size, largest: ndimage.gaussian_filter(pixels, (0, size, size)),
+    limits.LAPLACE: lambda pixels, size, largest: np.stack([ndimage.laplace(band) for band in pixels]),
+    limits.SOBEL: lambda pixels, size, largest: np.stack([
         np.hypot(ndimage.sobel(band, 0), ndimage.sobel(band, 1)) for band in pixels
     ]),
 }
@@ -41,7 +30,7 @@ _APPLIED: dict[Operation, Callable[[np.ndarray, float, float], np.ndarray]] = {
 
 
 def enhance(
-    ref: RasterRef, path: str, operation: Operation, size: float, cancelled: Callable[[], bool] = lambda: False,
+    ref: RasterRef, path: str, operation: str, size: float, cancelled: Callable[[], bool] = lambda: False,
     progress: Callable[[float], None] = lambda share: None,
 ) -> None:
     """Write the photo's enhanced copy as a GeoTIFF.
@@ -55,7 +44,7 @@ def enhance(
     """
     margin = _margin(operation, size)
     photo = Photo(ref)
-    grey = operation is Operation.GREY
+    grey = operation == limits.GREY
     kind = np.dtype(np.uint8 if grey else np.float32 if operation in EDGES else photo.raster.data_type)
     largest = photo.largest
     count = 1 if grey else len(photo.raster.band_names)
@@ -70,13 +59,13 @@ def enhance(
             progress((row + made.shape[1]) / photo.rows)
 
 
-def _margin(operation: Operation, size: float) -> int:
+def _margin(operation: str, size: float) -> int:
     """Width of a pixel's surroundings that count, px."""
-    if operation is Operation.MEAN:
+    if operation == limits.MEAN:
         if size < 3 or size % 2 != 1 or size > MAX_FILTER_PX:
             raise SettingsError(messages.FILTER_SIDE(size=size, most=MAX_FILTER_PX))
         return int(size) // 2
-    if operation is Operation.GAUSSIAN:
+    if operation == limits.GAUSSIAN:
         if not 0 < size <= MAX_FILTER_PX:
             raise SettingsError(messages.FILTER_DEVIATION(size=size, most=MAX_FILTER_PX))
         return int(4 * size + 0.5)

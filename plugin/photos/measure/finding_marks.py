@@ -15,12 +15,12 @@ from . import limits, messages, scan_orientation
 from .arrangements import Arrangement, Candidate, candidates, turned_with_frame
 from .camera_calibration import CameraCalibration
 from .correlation import correlate, peak_pixel, peaks
-from .mark_templates import CutOut, MarkKind, MarkShape
+from .mark_templates import CutOut, MarkShape
 from .measuring_marks import MeasuredMark, MeasuringTemplate, measure_mark, window_around
 from .orientation import GivenPosition, MarkSearch, OrientationSettings
 from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means, whole_photo_views, window_views
-from .scan_orientation import Labelling, OrientationEvidence
-from .transformations import PlaneModel, fit_transformation
+from .scan_orientation import Labelling
+from .transformations import fit_transformation
 
 COARSE_TEMPLATE_PX = 10  # of the shorter side while the photo is searched
 LOOKED_AT = 12  # places that look alike there
@@ -72,7 +72,7 @@ class MarkFinder:
             return None
         source = np.array([self.calibration.marks[name] for name in names])
         target = np.array([self._near[name] for name in names])
-        made = fit_transformation(PlaneModel.SIMILARITY, source, target)
+        made = fit_transformation(limits.SIMILARITY, source, target)
         scale = float(math.sqrt(abs(np.linalg.det(made.matrix[:2, :2]))))
         worst = float(np.hypot(*(made(source) - target).T).max()) / scale
         if worst > 2 * self.settings.search_mm + limits.FILM_DEFORMATION * self.calibration.span:
@@ -199,25 +199,25 @@ class MarkFinder:
             replace(labelling, sites=dict(labelling.marks_at(sites)))
             for (arrangement, _), sites in zip(measured, sites_of_frames)
             for labelling in scan_orientation.labellings(self.calibration, arrangement)
-        ], OrientationEvidence.MARKS
+        ], limits.MARKS
         approximate = {name: place for name, place in self._near.items() if not self._is_given(name)}
         for near in (self._near, approximate):
             at_positions = scan_orientation.matching_positions(named, near, best.scale * self.settings.search_mm)
             if at_positions:
-                named, evidence = at_positions, OrientationEvidence.POSITIONS if near else evidence
+                named, evidence = at_positions, limits.POSITIONS if near else evidence
                 break
         else:
             return MarkSearch(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
         size = self.photo.columns, self.photo.rows
-        tests: dict[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]] = {
-            OrientationEvidence.DOTS: lambda open_ones: scan_orientation.matching_dots(
+        tests: dict[str, Callable[[Sequence[Labelling]], list[Labelling]]] = {
+            limits.DOTS: lambda open_ones: scan_orientation.matching_dots(
                 open_ones, _dot_counts(self.photo, candidate.template, best, places)
             ),
-            OrientationEvidence.MARKS: lambda open_ones: scan_orientation.matching_count(open_ones, places),
-            OrientationEvidence.DATA_STRIP: lambda open_ones: scan_orientation.matching_data_strip(
+            limits.MARKS: lambda open_ones: scan_orientation.matching_count(open_ones, places),
+            limits.DATA_STRIP: lambda open_ones: scan_orientation.matching_data_strip(
                 open_ones, self.calibration, best.places.values(), size
             ),
-            OrientationEvidence.RESIDUALS: lambda open_ones: scan_orientation.matching_residuals(
+            limits.RESIDUALS: lambda open_ones: scan_orientation.matching_residuals(
                 open_ones, self.calibration, places, self.settings.model
             ),
         }
@@ -226,8 +226,8 @@ class MarkFinder:
             if chosen and len(chosen) < len(named):
                 named, evidence = chosen, kind
         notices: tuple[Message, ...] = ()
-        if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
-            evidence, notices = OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
+        if len(named) > 2 or (len(named) == 2 and evidence != limits.DATA_STRIP):
+            evidence, notices = limits.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
         plain = min(named, key=lambda labelling: (labelling.orientation.mirrored, labelling.orientation.turned))
         return MarkSearch(dict(plain.marks_at(results)), candidate.template, plain.orientation, evidence, notices)
 
@@ -254,7 +254,7 @@ class MarkFinder:
         self, template: MeasuringTemplate, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
     ) -> MeasuredMark:
         around = max(reach, DISTINCT_SHARE * template.size)
-        if not (isinstance(mark, MarkShape) and mark.kind is MarkKind.DOT):  # dots there are in every picture
+        if not (isinstance(mark, MarkShape) and mark.kind == limits.DOT):  # dots there are in every picture
             around = max(around, DISTINCT_FRAME_SHARE * self.calibration.span * scale)
         half = math.ceil(around) + max(template.at((0.0, 0.0)).shape) // 2 + 1
         try:

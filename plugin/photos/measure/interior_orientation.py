@@ -13,24 +13,23 @@ from ...imagery.messages import CANCELLED
 from . import limits, messages
 from .camera_calibration import CameraCalibration, check_calibration
 from .finding_marks import MarkFinder, within
-from .mark_templates import CutOut, MarkKind, MarkShape
+from .mark_templates import CutOut, MarkShape
 from .measuring_marks import MeasuredMark, window_around
 from .orientation import (
     FittedTransformation,
     GivenPosition,
     MarkResult,
     MarkSearch,
-    MarkStatus,
     OrientationSettings,
     PhotoOrientation,
 )
 from .photo import Photo, PhotoView, Place
-from .scan_orientation import SCAN_ORIENTATIONS, OrientationEvidence
-from .transformations import LEAST_MARKS, PlaneModel, fit_transformation, redundancy
+from .scan_orientation import SCAN_ORIENTATIONS
+from .transformations import LEAST_MARKS, fit_transformation, redundancy
 
 CHANCE = 0.001  # that a photo without an outlier has a mark that stands out
 TELLING_SHARE = 0.25  # of the limit: 0.05 mm on 23 cm, which film and scanner leave on good photos
-PLAIN_FIGURES = (MarkKind.DOT, MarkKind.WEDGE)  # three roofs or crossroads of a picture may lie as three marks do
+PLAIN_FIGURES = (limits.DOT, limits.WEDGE)  # three roofs or crossroads of a picture may lie as three marks do
 SURE_OF_PLAIN = 0.75  # mean correlation of those: three chance ones had 0.69, true ones in little grain 0.9 and more
 MIN_PICTURE_PX = 20  # half a side of the picture of a mark
 
@@ -62,20 +61,20 @@ def largest_shift(marks: Sequence[MarkResult]) -> float:
 
 
 def _off(mark: MarkResult, worst: float, limit: float) -> Message:
-    if mark.status is MarkStatus.GIVEN:
+    if mark.status == limits.GIVEN:
         return messages.GIVEN_OFF(worst=worst, limit=limit)
     return messages.MARK_OFF(worst=worst, limit=limit)
 
 
 def _failed(mark: MarkResult, reason: Message) -> MarkResult:
-    return replace(mark, status=MarkStatus.FAILED, place=None, reason=reason)
+    return replace(mark, status=limits.FAILED, place=None, reason=reason)
 
 
 def _misfit(marks: Sequence[MarkResult]) -> float:
     """The largest residual of a similarity, mm."""
     source, target = _pairs(marks)
     try:
-        made = fit_transformation(PlaneModel.SIMILARITY, source, target)
+        made = fit_transformation(limits.SIMILARITY, source, target)
     except PhotoError:
         return 0.0
     return float(np.hypot(*(made(source) - target).T).max())
@@ -86,7 +85,7 @@ def _pairs(marks: Sequence[MarkResult]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def fit_marks(
-    marks: Sequence[MarkResult], model: PlaneModel
+    marks: Sequence[MarkResult], model: str
 ) -> tuple[FittedTransformation | None, list[MarkResult], list[Message]]:
     """The transformation by all marks that have a place, and the marks with their residuals.
 
@@ -101,7 +100,7 @@ def fit_marks(
         placed = [mark for mark in marks if mark.place is not None]
         if len(placed) < LEAST_MARKS[model]:
             least, count = LEAST_MARKS[model], len(placed)
-            too_few = messages.TOO_FEW_MARKS(model=messages.WORDS[model.value], least=least, count=count)
+            too_few = messages.TOO_FEW_MARKS(model=messages.WORDS[model], least=least, count=count)
             return None, marks, [*notices, too_few.as_warning()]
         source, target = _pairs(placed)
         try:
@@ -123,11 +122,11 @@ def fit_marks(
     fitted = FittedTransformation(made, made.inverse, len(placed), left_over, float(rms[0]), float(rms[1]))
     by_name = {mark.name: (float(x), float(y)) for mark, (x, y) in zip(placed, residuals)}
     if fitted.redundancy < 1:
-        notices.append(messages.NO_REDUNDANCY(model=messages.WORDS[model.value], count=len(placed)))
+        notices.append(messages.NO_REDUNDANCY(model=messages.WORDS[model], count=len(placed)))
     return fitted, [replace(mark, residual=by_name.get(mark.name)) for mark in marks], notices
 
 
-def _outlier(marks: Sequence[MarkResult], model: PlaneModel, least: float) -> tuple[MarkResult, float] | None:
+def _outlier(marks: Sequence[MarkResult], model: str, least: float) -> tuple[MarkResult, float] | None:
     """The mark that stands out most, and how far off (mm, more than ``least``) the others want it; None without one. A
     mark's residual and its distance from where the others alone put it, multiplied, are its share of the sum of
     squares: against the others' own variance it follows F(2, their redundancy), which has this closed form."""
@@ -176,7 +175,7 @@ def orient_photo(
     if fitted is not None and way is None:
         back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
         way = max(SCAN_ORIENTATIONS, key=lambda orientation: float(np.sum(orientation.matrix * back)))
-        evidence = OrientationEvidence.POSITIONS
+        evidence = limits.POSITIONS
     expected: dict[str, Place] = {}
     for mark in marks:
         if fitted is not None and mark.place is None:
@@ -202,9 +201,9 @@ def _check_positions(photo: Photo, calibration: CameraCalibration, positions: Ma
 
 def _mark(name: str, calibrated: Place, given: Mapping[str, Place], search: MarkSearch) -> MarkResult:
     if name in given:
-        return MarkResult(name, calibrated, MarkStatus.GIVEN, given[name])
+        return MarkResult(name, calibrated, limits.GIVEN, given[name])
     mark = search.results.get(name, MeasuredMark(reason=messages.MARK_NOT_ARRANGED()))
-    status = MarkStatus.FAILED if mark.place is None else MarkStatus.MEASURED
+    status = limits.FAILED if mark.place is None else limits.MEASURED
     return MarkResult(name, calibrated, status, mark.place, mark.correlation, mark.reason)
 
 
@@ -214,7 +213,7 @@ def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
     for index, mark in enumerate(marks):
         for other in marks:
             alike = other is not mark and within(mark.place, other.place, limits.ONE_PLACE_PX)
-            if alike and made[index].status is MarkStatus.MEASURED:
+            if alike and made[index].status == limits.MEASURED:
                 made[index] = _failed(mark, messages.MARK_TWICE(other=other.name))
     return made
 
@@ -233,7 +232,7 @@ def _supported(
         return list(marks)
     reason = messages.MARK_UNSUPPORTED(count=count, least=least)
     return [
-        _failed(mark, reason) if mark.status is MarkStatus.MEASURED and mark.name not in positions else mark
+        _failed(mark, reason) if mark.status == limits.MEASURED and mark.name not in positions else mark
         for mark in marks
     ]
 

@@ -10,9 +10,8 @@ from itertools import islice
 import numpy as np
 
 from ...imagery.errors import PhotoError
-from . import messages
-from .limits import MOST_SCANNED_PX
-from .transformations import PlaneModel, fit_transformation
+from . import limits, messages
+from .transformations import fit_transformation
 
 PICTURE_ENDINGS = ("tif", "tiff", "jpg", "jpeg", "png", "bmp", "jp2", "img", "vrt", "ecw", "sid", "pix", "gif")
 
@@ -96,7 +95,7 @@ def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, Comp
         if key in made:
             where = f" ({mark.photo_key})" if by_photo else ""
             raise PhotoError(messages.COMPARED_TWICE(mark=mark.mark, where=where))
-        if not all(abs(part) < MOST_SCANNED_PX for part in mark.place):
+        if not all(abs(part) < limits.MOST_SCANNED_PX for part in mark.place):
             raise PhotoError(messages.COMPARED_NOWHERE(mark=mark.mark, column=mark.place[0], row=mark.place[1]))
         made[key] = mark
     return made
@@ -122,7 +121,7 @@ def pixel_size(marks: Sequence[ComparedMark]) -> float | None:
             continue
         source, target = np.array([mark.place for mark in group]), np.array([mark.calibrated for mark in group])
         try:
-            matrix = fit_transformation(PlaneModel.SIMILARITY, source, target).matrix
+            matrix = fit_transformation(limits.SIMILARITY, source, target).matrix
         except PhotoError:
             continue
         sizes.append(1000 * math.sqrt(abs(float(np.linalg.det(matrix[:2, :2])))))

@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from enum import Enum
 from functools import lru_cache
 
 import numpy as np
@@ -26,21 +25,11 @@ SYMMETRY_BLUR_PX = 1.0  # against grain, which has no symmetry: without it a mar
 COARSE_SIZES_PX = (10.0, 12.0, 14.3, 17.0)  # of a mark at each level: an octave in steps of 1.19
 
 
-class MarkKind(Enum):
-    """The figure of a mark."""
-
-    CROSS = "cross"
-    DOT = "dot"
-    RING_WITH_DOT = "ring with dot"
-    RING_WITH_CROSS = "ring with cross"
-    WEDGE = "wedge"
-
-
 @dataclass(frozen=True)
 class MarkShape:
     """A mark to be drawn, light on dark. Lengths in pixels."""
 
-    kind: MarkKind
+    kind: str
     size: float  # diameter of the ring or dot, length of a cross or of a pair of wedges
     diagonal: bool = False  # arms, or the wedges, at 45 degrees
     interrupted: bool = False  # the cross is open in the middle
@@ -52,13 +41,13 @@ class MarkShape:
     @property
     def radius(self) -> float:
         """From the centre to the outermost part, px."""
-        reach = self.reach if self.kind is MarkKind.RING_WITH_CROSS else 1.0
+        reach = self.reach if self.kind == limits.RING_WITH_CROSS else 1.0
         return self.size / 2 * max(reach, 1 + self.width)
 
     @property
     def margin(self) -> int:
         """Half the side of the drawing without its middle pixel: the figure and the ground around it, px."""
-        ground = 0.6 * self.radius if self.kind is MarkKind.DOT else 0.15 * self.radius
+        ground = 0.6 * self.radius if self.kind == limits.DOT else 0.15 * self.radius
         return max(2, math.ceil(self.radius + max(ground, 1.0) + self.softness))
 
     def scaled(self, factor: float) -> MarkShape:
@@ -108,17 +97,17 @@ def _arms(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float, length: f
 def _parts(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
     """The pieces of a figure, each from 0 to 1, along its own axes."""
     half = shape.size / 2
-    if shape.kind is MarkKind.CROSS:
+    if shape.kind == limits.CROSS:
         return _arms(shape, u, v, soft, half, 0.15 * shape.size)
-    if shape.kind is MarkKind.WEDGE:
+    if shape.kind == limits.WEDGE:
         slope = math.radians(WEDGE_HALF_ANGLE_DEG)
         side = np.abs(v) * math.cos(slope) - np.abs(u) * math.sin(slope)
         return [_below(side, soft) * _below(np.abs(u) - half, soft)]
     from_centre = np.hypot(u, v)
-    if shape.kind is MarkKind.DOT:
+    if shape.kind == limits.DOT:
         return [_below(from_centre - half, soft)]
     ring = _line(from_centre - half, max(shape.width * shape.size, 1.0), soft)
-    if shape.kind is MarkKind.RING_WITH_DOT:
+    if shape.kind == limits.RING_WITH_DOT:
         return [ring, _below(from_centre - max(2 * shape.width * shape.size, 1.0) / 2, soft)]
     thin = replace(shape, width=ARM_WIDTH * shape.width)
     return [ring, *_arms(thin, u, v, soft, shape.reach * shape.size / 2, 0.15 * shape.size)]
@@ -128,9 +117,9 @@ def all_shapes() -> tuple[MarkShape, ...]:
     """Every mark that can be drawn, its size of no meaning: what is tried when nobody says what marks are there."""
     made = []
     for diagonal in (False, True):
-        made += [MarkShape(kind, 1.0, diagonal) for kind in (MarkKind.RING_WITH_CROSS, MarkKind.CROSS, MarkKind.WEDGE)]
-        made.append(MarkShape(MarkKind.CROSS, 1.0, diagonal, interrupted=True))
-    return (*made, MarkShape(MarkKind.RING_WITH_DOT, 1.0), MarkShape(MarkKind.DOT, 1.0))
+        made += [MarkShape(kind, 1.0, diagonal) for kind in (limits.RING_WITH_CROSS, limits.CROSS, limits.WEDGE)]
+        made.append(MarkShape(limits.CROSS, 1.0, diagonal, interrupted=True))
+    return (*made, MarkShape(limits.RING_WITH_DOT, 1.0), MarkShape(limits.DOT, 1.0))
 
 
 def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | None) -> tuple[MarkShape, ...]:
@@ -138,11 +127,11 @@ def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | N
     no cross no open middle."""
     made = []
     for shape in all_shapes():
-        is_cross, is_ringed = shape.kind is MarkKind.CROSS, shape.kind is MarkKind.RING_WITH_CROSS
+        is_cross, is_ringed = shape.kind == limits.CROSS, shape.kind == limits.RING_WITH_CROSS
         if is_ringed and interrupted is not None:
             shape = replace(shape, interrupted=interrupted)
-        is_chosen = kind in (None, shape.kind.value)
-        if is_cross or is_ringed or shape.kind is MarkKind.WEDGE:
+        is_chosen = kind in (None, shape.kind)
+        if is_cross or is_ringed or shape.kind == limits.WEDGE:
             is_chosen &= diagonal in (None, shape.diagonal)
         if is_cross or is_ringed:
             is_chosen &= interrupted in (None, shape.interrupted)
@@ -210,7 +199,7 @@ def patterns(mark: MarkShape | CutOut, factor: float, place: Place) -> Iterator[
 
 def wedge_to_middle(shape: MarkShape, place: Place) -> MarkShape:
     """Wedges in line with the middle of the frame, along an axis or a diagonal; other shapes as they are."""
-    if shape.kind is not MarkKind.WEDGE:
+    if shape.kind != limits.WEDGE:
         return shape
     towards = math.degrees(math.atan2(-place[1], -place[0])) - (45 if shape.diagonal else 0)
     return replace(shape, angle=90.0 * round(towards / 90))

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 from scipy import ndimage
@@ -11,9 +10,9 @@ from scipy import ndimage
 from ...imagery.errors import Message, PhotoError
 from ...imagery.grids import PixelWindow
 from ...imagery.shifts import shifted
-from . import messages
+from . import limits, messages
 from .correlation import SurfaceError, correlate, fit_surface, peak_pixel, subpixel_maximum, surface_extremum
-from .mark_templates import CutOut, MarkKind, MarkShape, draw
+from .mark_templates import CutOut, MarkShape, draw
 from .photo import Photo, PhotoView, Place
 
 BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself
@@ -24,13 +23,6 @@ MAX_SECOND_SHARE = 0.85  # of the best correlation: above it, which of the two i
 HALF_REACH_PX = 4  # how far a half may look for the mark
 MAX_HALF_SHIFT_PX = 1.0  # of a half against the whole: UNBC's marks 0.3 px
 SMOOTHING_PX = 0.5  # standard deviation of the blur against grain before a mark is measured: the lines are wider
-
-
-class SurfaceBasis(Enum):
-    """The values that the second-degree surface is laid through."""
-
-    CORRELATION = "correlation"
-    BRIGHTNESS = "brightness"
 
 
 def window_around(photo: Photo, place: Place, half: int) -> PhotoView:
@@ -65,7 +57,7 @@ class MeasuringTemplate:
         else:
             self.centre = (mark.margin + 0.5, mark.margin + 0.5)
             self.size, self.radius = mark.size, mark.size / 2
-            self.halves_tell = mark.kind is not MarkKind.WEDGE
+            self.halves_tell = mark.kind != limits.WEDGE
 
     def at(self, offset: Place) -> np.ndarray:
         """The template with the mark ``offset`` px beside the pixel centre that is ``centre``."""
@@ -76,7 +68,7 @@ class MeasuringTemplate:
 
 
 def measure_mark(
-    window: PhotoView, near: Place, reach: float, template: MeasuringTemplate, least: float, surface: SurfaceBasis
+    window: PhotoView, near: Place, reach: float, template: MeasuringTemplate, least: float, surface: str
 ) -> MeasuredMark:
     """The mark's place: the pixel of the best correlation, then the extremum of the surface around it. With the surface
     over the correlation the template is moved to the sub-pixel place and correlated again until it stays there, so that
@@ -97,7 +89,7 @@ def measure_mark(
     if second > MAX_SECOND_SHARE * best:
         return MeasuredMark(None, best, messages.MARK_AMBIGUOUS(best=best, second=second))
     try:
-        if surface is SurfaceBasis.BRIGHTNESS:
+        if surface == limits.BRIGHTNESS:
             x, y = _brightness_extremum(window.pixels, column + template.centre[0], row + template.centre[1])
             pixels = window.pixels
         else:

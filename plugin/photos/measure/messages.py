@@ -120,7 +120,7 @@ NOTHING_IN_COMMON = Message(
 PIXEL_SIZE_UNKNOWN = Message(
     "The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the "
     "fields x_mm and y_mm.", WARNING)
-# words for the values of PlaneModel, MarkStatus, OrientationEvidence, SurfaceBasis and MarkKind
+# words for MODELS, STATES, EVIDENCE, SURFACES and KINDS of limits
 WORDS = {word.template.lower(): word for word in (
     Message("affine", INFO), Message("similarity", INFO), Message("projective", INFO),
     Message("Measured", INFO), Message("Given", INFO), Message("Failed", INFO),

@@ -179,8 +179,7 @@ class PhotoView:
     factor: float = 1  # pixels of the photo that one of its pixels is wide
 
 
-Scene = Callable[[MarkFrame], Sequence[Sequence[PhotoView]]]
-"""One view for each mark of a frame, for each level, coarse to fine."""
+Scene = Callable[[MarkFrame], Sequence[Sequence[PhotoView]]]  # a view for each mark, at each level, coarse to fine
 
 
 def whole_photo_views(image: np.ndarray, factor: int) -> Scene:

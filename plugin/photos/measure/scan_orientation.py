@@ -5,7 +5,6 @@ import math
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import TypeVar
 
 import numpy as np
@@ -16,7 +15,7 @@ from . import limits
 from .arrangements import Arrangement
 from .camera_calibration import CameraCalibration
 from .photo import MarkFrame, Place, SearchArea
-from .transformations import PlaneModel, fit_transformation, redundancy
+from .transformations import fit_transformation, redundancy
 
 MIN_FRAME_SHARE = 0.7  # of the scan's shorter extent that the marks span at least
 SAME_PLACE = 0.02  # of the frame: marks of a square differ from it by far less
@@ -27,19 +26,7 @@ MIN_DOTS_RATIO = 2.5  # the side with the dots against the next: UNBC 4 to 6
 DOTS_BESIDE_RING = (0.9, 1.25, 2.2, 0.35)  # ring radii, UNBC: half the row's length, its nearest, farthest, a dot
 DOT_PROMINENCE = 0.25  # of the profile's range: UNBC's four dots 0.4
 
-
 Value = TypeVar("Value")
-
-
-class OrientationEvidence(Enum):
-    """The fact that decided how a photo lies."""
-
-    POSITIONS = "positions"
-    DOTS = "dots"
-    DATA_STRIP = "data strip"
-    RESIDUALS = "residuals"
-    MARKS = "marks"  # the marks' own arrangement allows one way only
-    ASSUMED = "assumed"  # nothing told; it is taken to lie upright and not mirrored
 
 
 @dataclass(frozen=True)
@@ -154,7 +141,7 @@ def matching_count(candidates: Sequence[Labelling], measured: Mapping[str, Place
 
 
 def matching_residuals(
-    candidates: Sequence[Labelling], calibration: CameraCalibration, measured: Mapping[str, Place], model: PlaneModel
+    candidates: Sequence[Labelling], calibration: CameraCalibration, measured: Mapping[str, Place], model: str
 ) -> list[Labelling]:
     """The labelling whose residuals are much smaller than all others'; none where they tell nothing. ``measured`` are
     places by their names."""

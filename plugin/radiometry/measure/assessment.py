@@ -4,7 +4,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import Optional
 
 from ...imagery.errors import Message
@@ -14,7 +13,7 @@ from . import rules as checks
 from .areas import Areas, ColourBalance, MaybeGrey, colour_balance, find_maybe_grey, signal_to_noise
 from .image_statistics import Histogram, ImageRange
 from .measured_image import MIN_STATISTICS_PIXELS, MeasuredImage
-from .rules import ALL_BANDS, LUMINOSITY, Rule, RuleSet
+from .rules import ACCEPTED, ALL_BANDS, LUMINOSITY, REJECTED, UNDECIDED, Rule, RuleSet
 from .seam_steps import SeamStep
 
 
@@ -218,20 +217,12 @@ def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Me
     return CheckedFigure(band, rule, value, rule.passes(value), spot=spot)
 
 
-class RadiometricOutcome(Enum):
-    """The decision on an image, or on all."""
-
-    ACCEPTED = "accepted"  # every limit is kept, but for figures that are not measurable and not required
-    REJECTED = "rejected"  # at least one figure is beyond its limit
-    UNDECIDED = "undecided"  # nothing is beyond its limit, and something that a rule requires is not known
-
-
 @dataclass(frozen=True, eq=False)
 class ImageDecision:
     """The decision on an image or a window of it."""
 
     result: Assessment
-    outcome: RadiometricOutcome
+    outcome: str
     failed: tuple[CheckedFigure, ...]  # figures beyond their limits
     missed: tuple[CheckedFigure, ...]  # figures that are not known and would have to be
     unmeasured: tuple[CheckedFigure, ...]  # figures with a limit that are not known and that the rules can do without
@@ -239,12 +230,12 @@ class ImageDecision:
 
 @dataclass(frozen=True, eq=False)
 class RadiometricDecision:
-    outcome: RadiometricOutcome
+    outcome: str
     images: tuple[ImageDecision, ...]
     left_out: tuple[Message, ...]  # why images or windows were not looked at; nothing is accepted unseen
 
-    def those(self, outcome: RadiometricOutcome) -> list[ImageDecision]:
-        return [image for image in self.images if image.outcome is outcome]
+    def those(self, outcome: str) -> list[ImageDecision]:
+        return [image for image in self.images if image.outcome == outcome]
 
 
 def decide_image(result: Assessment) -> ImageDecision:
@@ -262,11 +253,11 @@ def decide(results: Sequence[Assessment], left_out: Sequence[Message] = ()) -> R
     """The decision on all images: a rejected one rejects all; an open one, or one not looked at, leaves all open."""
     images = tuple(map(decide_image, results))
     outcomes = {image.outcome for image in images}
-    is_open = RadiometricOutcome.UNDECIDED in outcomes or bool(left_out) or not images
-    return RadiometricDecision(_outcome(RadiometricOutcome.REJECTED in outcomes, is_open), images, tuple(left_out))
+    is_open = UNDECIDED in outcomes or bool(left_out) or not images
+    return RadiometricDecision(_outcome(REJECTED in outcomes, is_open), images, tuple(left_out))
 
 
-def _outcome(is_beyond: bool, is_open: bool) -> RadiometricOutcome:
+def _outcome(is_beyond: bool, is_open: bool) -> str:
     if is_beyond:
-        return RadiometricOutcome.REJECTED
-    return RadiometricOutcome.UNDECIDED if is_open else RadiometricOutcome.ACCEPTED
+        return REJECTED
+    return UNDECIDED if is_open else ACCEPTED

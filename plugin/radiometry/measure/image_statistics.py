@@ -179,7 +179,6 @@ def _values(dtype: np.dtype, given: ValueRange | None) -> np.ndarray:
 PILE_PIXELS = 8  # at the largest value: fewer may be there by chance
 PILE_BELOW = 16  # values below the largest, none of which has as many pixels where the values end at it
 
-
 ImageRange = Union[ValueRange, "Message"]  # the range of an image's values, or the reason why it is not known
 
 

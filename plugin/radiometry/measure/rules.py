@@ -38,6 +38,11 @@ LUMINOSITY = "luminosity"  # 0.299 R + 0.587 G + 0.114 B; of an image with one b
 EACH_BAND = "each"
 ALL_BANDS = "all"  # the band of a figure that is taken between the bands
 
+# The decision on an image, or on all
+ACCEPTED = "accepted"  # every limit is kept, but for figures that are not measurable and not required
+REJECTED = "rejected"  # at least one figure is beyond its limit
+UNDECIDED = "undecided"  # nothing is beyond its limit, and something that a rule requires is not known
+
 SUBJECT, DEFAULT_RULES = "radiometry", "jrc_lpis"  # the ready files, and the one that counts where none is named
 
 _CLIPPING = (CLIPPED_LOW, CLIPPED_HIGH)

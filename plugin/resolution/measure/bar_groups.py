@@ -13,7 +13,7 @@ from ...imagery.rasters import Raster
 from . import messages
 from . import target as limits
 from .bars import BarReading, MeasuredLine, mean_value
-from .full_amplitudes import MIN_ALIAS_FREE_PX, PlainPlace, distance_error, with_full_amplitudes
+from .full_amplitudes import BESIDE_BARS, MIN_ALIAS_FREE_PX, NOWHERE, distance_error, with_full_amplitudes
 from .target import DIRECTIONS, GROUP, Target
 
 MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
@@ -146,7 +146,7 @@ def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target
     contrasts = {} if is_backwards else _contrasts(results)  # backwards: the coarsest one is not known
     if contrasts and min(contrasts.values()) < MIN_TARGET_CONTRAST:
         notices.append(messages.TARGET_CONTRAST_LOW(contrast=min(contrasts.values()), least=MIN_TARGET_CONTRAST))
-    for place, notice in ((PlainPlace.NOWHERE, messages.NO_PLAIN_PLACE), (PlainPlace.GROUND, messages.PLAIN_IS_GROUND)):
+    for place, notice in ((NOWHERE, messages.NO_PLAIN_PLACE), (BESIDE_BARS, messages.PLAIN_IS_GROUND)):
         places = {result.reading.plain for result in results if result.reading is not None}
         if target.full_amplitude == GROUP and place in places:
             notices.append(notice())

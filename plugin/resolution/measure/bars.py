@@ -4,7 +4,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from enum import Enum
 
 import numpy as np
 from scipy.signal import find_peaks
@@ -22,14 +21,6 @@ MIN_CLEAR_SPACING_PX = 3.2  # further apart than any bars that aliasing feigns, 
 
 _VERTEX_SHARE = 1 / 8  # of a cycle, either side of an extreme: the part of a bar that a parabola is fitted to
 _GROUND = (0.55, 1.25)  # of a cycle from an outer bar's middle: where the ground beside it is least blurred by the bar
-
-
-class PlainPlace(Enum):
-    """The place at which a target's plain brightness was measured."""
-
-    GROUPS = "groups"  # in its own bars and gaps, as the fall of the amplitude from group to group tells
-    GROUND = "ground"  # in the ground beside the bars
-    NOWHERE = "nowhere"  # nowhere: the darkest place that was seen is taken
 
 
 @dataclass(frozen=True)
@@ -54,7 +45,7 @@ class BarReading:
     amplitude: float | None  # mean of the inner bars less that of the gaps, DN; None for fewer than two bars
     amplitude_error: float | None  # its standard deviation, DN: from the noise, and from how much bars and gaps differ
     modulation: float | None  # (max - min)/(max + min) of bars and gaps; None for fewer than two bars
-    plain: PlainPlace | None = None  # where the gaps' plain brightness is; None until the target puts it right
+    plain: str | None = None  # the ``place`` of the gaps' plain brightness; None until the target puts it right
 
     @property
     def spacing(self) -> float | None:

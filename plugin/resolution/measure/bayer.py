@@ -83,7 +83,8 @@ def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
     Raises RasterError when the way does not go with the data type.
     """
     if demosaic == EDGE_AWARE:
-        _check_kind(chip.dtype)
+        if chip.dtype not in (np.uint8, np.uint16):
+            raise RasterError(messages.EDGE_AWARE_WANTS_INTEGERS(kind=chip.dtype))
         import cv2
 
         colours = cv2.cvtColor(chip, getattr(cv2, f"COLOR_Bayer{_CODES[pattern]}2RGB_EA"))
@@ -98,11 +99,6 @@ def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
 def simulated(colours: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
     """(3, rows, columns) as a single-chip camera would have seen it. Raises RasterError as ``interpolated`` does."""
     return interpolated(filtered(colours, pattern), pattern, demosaic)
-
-
-def _check_kind(kind: np.dtype) -> None:
-    if kind not in (np.uint8, np.uint16):
-        raise RasterError(messages.EDGE_AWARE_WANTS_INTEGERS(kind=kind))
 
 
 def _colour_indices(pattern: str, shape: tuple[int, ...]) -> np.ndarray:

@@ -8,11 +8,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtr
 
-from .bars import MIN_CLEAR_SPACING_PX, BarReading, MeasuredLine, PlainPlace, mean_value, read_bars
+from .bars import MIN_CLEAR_SPACING_PX, BarReading, MeasuredLine, mean_value, read_bars
 from .target import COARSEST, DIRECTIONS, Target
 
 MAX_CONTRAST_ERROR = 0.15  # relative: bars that say less of the target's contrast are not asked
 MIN_GROUP_ERROR = 0.02  # relative, of an amplitude: a blur is not quite a Gaussian one, and phases differ
+
+IN_GROUPS = "groups"  # a target's plain brightness is measured in its own bars and gaps, by the fall of amplitudes
+BESIDE_BARS = "ground"  # in the ground beside the bars
+NOWHERE = "nowhere"  # the darkest place that was seen is taken
 
 _COARSE = 3  # groups that say the middle: in finer ones saturation and a blur's far reach shift it
 _WIDTHS = np.geomspace(1.2, 40.0, 240)  # of the coarsest group's cycle, in standard deviations of the blur
@@ -24,7 +28,7 @@ class TargetLevels:
 
     gap: float  # brightness of its gaps, where nothing blurs them
     error: float  # standard deviation of the gaps' brightness, DN
-    place: PlainPlace
+    place: str  # where it was measured: IN_GROUPS, BESIDE_BARS or NOWHERE
 
 
 def kept_contrast(width: np.ndarray | float) -> np.ndarray:
@@ -63,10 +67,10 @@ def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | 
     seen, close = float(heights.max()), float(errors[0])
     tell = error <= MAX_CONTRAST_ERROR * contrast
     if tell and (error < close or abs(ground - contrast) > 2 * error):
-        return TargetLevels(sign * (middle - contrast / 2), error / 2, PlainPlace.GROUPS)
+        return TargetLevels(sign * (middle - contrast / 2), error / 2, IN_GROUPS)
     if ground > seen:
-        return TargetLevels(sign * (middle - ground / 2), close / 2, PlainPlace.GROUND)
-    return TargetLevels(sign * (middle - seen / 2), close / 2, PlainPlace.NOWHERE)
+        return TargetLevels(sign * (middle - ground / 2), close / 2, BESIDE_BARS)
+    return TargetLevels(sign * (middle - seen / 2), close / 2, NOWHERE)
 
 
 def _contrast(cycles: np.ndarray, heights: np.ndarray, errors: np.ndarray) -> tuple[float, float]:

@@ -70,8 +70,7 @@ class HeightResult:
         return None if self.reference_m is None else 100 * (self.mean_m - self.reference_m) / self.reference_m
 
 
-References = Mapping[str, float]
-"""Reference heights, m, by a word of the groups' keys; under the empty word that of all others."""
+References = Mapping[str, float]  # m, by a word of the groups' keys; under the empty word that of all others
 
 
 def read_references(text: str) -> dict[str, float]:

@@ -22,7 +22,6 @@ MAX_BAR_LINE_PX = 2000  # some 130 MB of pixels of three bands around it
 BAYER_PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")  # colours row by row: the filter of the paper and its three turns
 DEMOSAICS = ("bilinear", "malvar", "edge_aware")  # the paper's; Malvar, He, Cutler 2004; OpenCV's, if installed
 
-
 DIRECTIONS = ("along", "across")  # to the flight: the direction in which a line crosses the bars
 GROUP, COARSEST = FULL_AMPLITUDES
 CYCLE, BAR = DISTANCES

@@ -25,7 +25,7 @@ from ...imagery.errors import Message, printable
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import is_geographic
 from ..reference_systems import reference_system
-from ..resources import plugin_commit, reports_path
+from ..resources import RESOURCES, plugin_commit
 from ..translation import filled, formatted, language, sentence, shown_number, tr
 
 _SHORT_COMMIT = 12  # digits
@@ -133,7 +133,7 @@ def sentences_once(notices: Iterable[Message]) -> list[str]:
 def environment() -> Environment:
     """The environment of the templates: their folder, and the functions and filters that they all have."""
     made = Environment(
-        loader=FileSystemLoader(reports_path()), autoescape=True, undefined=StrictUndefined,
+        loader=FileSystemLoader(RESOURCES / "reports"), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True, finalize=_shown,
     )
     made.globals.update(tr=tr, filled=filled, language=language)

@@ -19,8 +19,7 @@ from qgis.PyQt.QtTest import QTest
 from demo.desk import Desk, Point
 from demo.gaps import Gaps
 
-AGAIN = 10
-"""How many are inspected once more, and how many of them judged meanwhile."""
+AGAIN = 10  # how many are inspected once more, and how many of them judged meanwhile
 LIVE_S = 4.0
 FRAME_S = 0.016
 

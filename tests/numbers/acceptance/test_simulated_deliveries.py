@@ -19,10 +19,8 @@ ALLOWED = 0.02
 class Simulated:
     """A delivery, and what came of it."""
 
-    planted: float
-    """Share of its metres that is spoilt."""
-    failed: float
-    """Share that the decision says."""
+    planted: float  # share of its metres that is spoilt
+    failed: float  # share that the decision says
     outcome: AcceptanceOutcome
 
 

@@ -15,8 +15,7 @@ from tests.numbers.clips import SIZE, MakeRaster
 from tests.numbers.synthetic import orthoimage
 
 WHOLE = PixelWindow(0, 0, *SIZE)
-PAD = 100
-"""Columns of the pad: no multiple of JPEG's squares."""
+PAD = 100  # columns of the pad: no multiple of JPEG's squares
 
 
 def clip(path: str, mosaic: Raster) -> Clip:

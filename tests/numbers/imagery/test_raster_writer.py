@@ -23,7 +23,6 @@ RPC_NAMES = [f"{axis}_{kind}" for axis in ("LINE", "SAMP", "LAT", "LONG", "HEIGH
 RPC_NAMES += [f"{axis}_{part}_COEFF_{number}" for axis in ("LINE", "SAMP") for part in ("NUM", "DEN")
               for number in range(1, 21)]
 
-
 pytestmark = pytest.mark.usefixtures("either_gdal")
 
 

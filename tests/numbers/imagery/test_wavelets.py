@@ -21,8 +21,7 @@ from seam_inspector.plugin.imagery.wavelets import (
 from tests.numbers.synthetic import decompose, luminance, orthoimage, placed_wavedec, texture, wavedec, without_mean
 
 WEIGHTS = (0.299, 0.587, 0.114)
-NEGLIGIBLE = 1e-25
-"""Share of the total variance: rounding of float64, also that of PyWavelets."""
+NEGLIGIBLE = 1e-25  # share of the total variance: rounding of float64, also that of PyWavelets
 
 
 def shares(curve: Curve) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Random noise of a clip: curve, kurtosis, sigma and verdict against PyWavelets, scipy and known noise."""
+"""Random noise of a clip, on ramps too: curve, kurtosis, sigma and verdict against PyWavelets, scipy, known noise."""
 from __future__ import annotations
 
 import numpy as np
@@ -7,10 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.limits import WAVELETS
 from seam_inspector.plugin.noise.measure.band_noise import (
     BandNoise,
     NoiseVerdict,
     check_noise_settings,
+    inner_ranges,
     measure_noise,
     noise_verdict,
     noisiest_band,
@@ -147,3 +149,41 @@ def test_what_a_hole_is_filled_with_is_in_neither_kurtosis_nor_sigma() -> None:
     assert figures[0] == pytest.approx(figures[1], rel=1e-6)
     outside = wavedec(np.where(hole, 0, ground), "haar", 1)[1][2][~hole.reshape(64, 2, 64, 2).any(axis=(1, 3))]
     assert figures[0][0] == pytest.approx(np.median(np.abs(outside)) / stats.norm.ppf(0.75), rel=1e-4)
+
+
+def ramp(side: int, sigma: float = 4.0, seed: int = 1) -> np.ndarray:
+    """A field that grows brighter from left to right and from top to bottom, with white noise, as whole numbers."""
+    rows, columns = np.mgrid[:side, :side] / side
+    values = 50 + 110 * columns + 60 * rows + np.random.default_rng(seed).normal(0, sigma, (side, side))
+    return np.rint(values).clip(0, 255).astype(np.uint8)
+
+
+def kurtoses(band: np.ndarray, wavelet: str, levels: int = 3) -> tuple[float | None, ...]:
+    return measure_noise(band[np.newaxis], ("band_1",), wavelet, levels)["band_1"].kurtosis
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wavelet", WAVELETS)
+def test_noise_on_a_ramp_has_three_with_every_wavelet(wavelet: str) -> None:
+    side, levels = 256, 3
+    measured = kurtoses(ramp(side), wavelet)
+    for level, kurtosis in enumerate(measured, 1):
+        kept = inner_ranges(side, wavelet, levels)[level - 1]
+        values = 3 * (kept.stop - kept.start) ** 2
+        if values < 192:
+            assert kurtosis is None  # a long filter sees the border from everywhere
+        else:
+            assert kurtosis == pytest.approx(3, abs=5 * np.sqrt(24 / values))
+    assert measured[0] is not None
+
+
+@pytest.mark.parametrize("wavelet", ["haar", "db2", "sym5", "coif3"])
+def test_the_figures_are_scipys_on_coefficients_that_do_not_see_the_border(wavelet: str) -> None:
+    band = ramp(256)
+    for ours, theirs in zip(kurtoses(band, wavelet), inner_kurtoses(band, wavelet, 3)):
+        assert ours is None or ours == pytest.approx(theirs, rel=1e-4)
+
+
+def test_a_window_too_small_for_the_filter_has_none() -> None:
+    assert kurtoses(ramp(64), "db38") == (None, None, None)
+    assert kurtoses(ramp(64), "coif3")[2] is None

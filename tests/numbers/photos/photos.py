@@ -32,29 +32,21 @@ class Look:
     interrupted: bool = False
     reach: float = 1.0
     blur: float = 0.8
-    contrast: float = 60.0
-    """Grey values from the ground to the mark."""
-    grain: float = 0.03
-    """Standard deviation of the noise as a share of the contrast."""
-    gradient: float = 0.0
-    """Grey values that the ground changes by across a mark, as a share of the contrast."""
-    scratches: int = 0
-    """Around each mark."""
+    contrast: float = 60.0  # grey values from the ground to the mark
+    grain: float = 0.03  # standard deviation of the noise as a share of the contrast
+    gradient: float = 0.0  # grey values that the ground changes by across a mark, as a share of the contrast
+    scratches: int = 0  # around each mark
     negative: bool = False
-    dots: bool = False
-    """Dots to the mark's right, as many as its number."""
+    dots: bool = False  # dots to the mark's right, as many as its number
 
 
 @dataclass(frozen=True)
 class Frame:
     """A photo and the truth about it."""
 
-    pixels: np.ndarray
-    """(rows, columns) uint8."""
-    places: Mapping[str, Place] = field(default_factory=dict)
-    """Column and row of each mark, pixel centres at .5."""
-    scale: float = 1.0
-    """Pixels per mm."""
+    pixels: np.ndarray  # (rows, columns) uint8
+    places: Mapping[str, Place] = field(default_factory=dict)  # column and row of each mark, pixel centres at .5
+    scale: float = 1.0  # pixels per mm
 
 
 def figure(look: Look, u: np.ndarray, v: np.ndarray, inwards: float = 0.0) -> np.ndarray:

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import PhotoError
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure.correlation import (
     CorrelatedImage,
     SurfaceError,
@@ -16,8 +17,8 @@ from seam_inspector.plugin.photos.measure.correlation import (
     fit_surface,
     surface_extremum,
 )
-from seam_inspector.plugin.photos.measure.mark_templates import MarkKind, MarkShape, cut_out, draw
-from seam_inspector.plugin.photos.measure.measuring_marks import MeasuringTemplate, SurfaceBasis, measure_mark
+from seam_inspector.plugin.photos.measure.mark_templates import MarkShape, cut_out, draw
+from seam_inspector.plugin.photos.measure.measuring_marks import MeasuringTemplate, measure_mark
 from seam_inspector.plugin.photos.measure.photo import PhotoView
 from skimage.feature import match_template
 
@@ -59,17 +60,19 @@ def window(pixels: np.ndarray) -> PhotoView:
     return PhotoView(pixels, 100, 200)
 
 
-@pytest.mark.parametrize(("surface", "offset"), list(product(SurfaceBasis, ((0.0, 0.0), (0.31, -0.44), (-0.5, 0.2)))))
-def test_a_mark_is_measured_where_it_is(surface: SurfaceBasis, offset: tuple[float, float]) -> None:
-    shape = MarkShape(MarkKind.RING_WITH_DOT, 20, softness=1.0)
+@pytest.mark.parametrize(("surface", "offset"), list(
+    product(limits.SURFACES, ((0.0, 0.0), (0.31, -0.44), (-0.5, 0.2)))
+))
+def test_a_mark_is_measured_where_it_is(surface: str, offset: tuple[float, float]) -> None:
+    shape = MarkShape(limits.RING_WITH_DOT, 20, softness=1.0)
     pixels = 30 + 50 * draw(shape, offset, margin=40) + 0.2 * np.arange(81)
     mark = measure_mark(window(pixels), (140.5, 240.5), 5, MeasuringTemplate(shape, 1), 0.5, surface)
-    tolerance = 0.01 if surface is SurfaceBasis.CORRELATION else 0.2
+    tolerance = 0.01 if surface == limits.CORRELATION else 0.2
     assert mark.place == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
 
 
 def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
-    shape = MarkShape(MarkKind.RING_WITH_CROSS, 20, softness=0.8)
+    shape = MarkShape(limits.RING_WITH_CROSS, 20, softness=0.8)
     template, drawn = MeasuringTemplate(shape, 1), draw(shape, margin=50)
     two = drawn + np.roll(drawn, 30, axis=1)
     noise = 0.05 * texture(drawn.shape, 0, 1)
@@ -77,20 +80,20 @@ def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
     halved[:, 51:] = np.roll(drawn, 4, axis=0)[:, 51:]  # a torn film
 
     def reason(pixels: np.ndarray) -> str:
-        made = measure_mark(window(pixels), (150.5, 250.5), 8, template, 0.5, SurfaceBasis.CORRELATION)
+        made = measure_mark(window(pixels), (150.5, 250.5), 8, template, 0.5, limits.CORRELATION)
         assert made.place is None, made
         return str(made.reason)
 
     assert "two places look nearly alike" in reason(two + noise)
     assert "correlation is" in reason(noise)
     assert "differ by" in reason(halved + noise)
-    small = measure_mark(window(drawn[:9, :9]), (104.5, 204.5), 2, template, 0.5, SurfaceBasis.CORRELATION)
+    small = measure_mark(window(drawn[:9, :9]), (104.5, 204.5), 2, template, 0.5, limits.CORRELATION)
     assert small.place is None
     assert "larger than" in str(small.reason)
 
 
 def test_a_cut_out_has_the_centre_of_its_symmetry() -> None:
-    mark = draw(MarkShape(MarkKind.CROSS, 20, softness=1.0), (0.25, -0.3), margin=30)
+    mark = draw(MarkShape(limits.CROSS, 20, softness=1.0), (0.25, -0.3), margin=30)
     made = cut_out(mark[8:55, 12:58])
     assert made.centre == pytest.approx((30.75 - 12, 30.2 - 8), abs=0.03)
     plain = cut_out(texture((20, 30), 1.5, 3))

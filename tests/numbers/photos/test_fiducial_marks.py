@@ -11,24 +11,21 @@ from osgeo import gdal
 from scipy import ndimage
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.photos.measure import finding_marks
+from seam_inspector.plugin.photos.measure import finding_marks, limits
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
 from seam_inspector.plugin.photos.measure.interior_orientation import fit_marks, orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import CutOut, chosen_shapes, cut_out
 from seam_inspector.plugin.photos.measure.orientation import (
     GivenPosition,
     MarkResult,
-    MarkStatus,
     OrientationSettings,
     PhotoOrientation,
 )
 from seam_inspector.plugin.photos.measure.photo import Photo
 from seam_inspector.plugin.photos.measure.scan_orientation import (
     SCAN_ORIENTATIONS,
-    OrientationEvidence,
     ScanOrientation,
 )
-from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 from tests.numbers.photos.photos import CAMERA, Frame, Look, Place, make_frame
 from tests.numbers.synthetic import write_plain
@@ -96,7 +93,7 @@ def test_the_numbers_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrie
     pixels, places = laid(frame, orientation)
     settings = OrientationSettings(shapes=chosen_shapes("ring with cross", True, None))
     made = measured(pixels, tmp_path, settings=settings)
-    assert (made.scan_orientation, made.evidence) == (orientation, OrientationEvidence.DOTS)
+    assert (made.scan_orientation, made.evidence) == (orientation, limits.DOTS)
     assert max(errors(made, Frame(pixels, places))) < 0.1
 
 
@@ -118,7 +115,7 @@ def test_positions_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrient
     pixels, places = laid(Frame(np.zeros((500, 500), np.uint8), make_frame(Look(), side=500).places), orientation)
     given = {name: GivenPosition(place, measure=False) for name, place in places.items()}
     made = measured(pixels, tmp_path, positions=given)
-    assert (made.scan_orientation, made.evidence) == (orientation, OrientationEvidence.POSITIONS)
+    assert (made.scan_orientation, made.evidence) == (orientation, limits.POSITIONS)
 
 
 @pytest.mark.parametrize("beyond", [-12, 0, 12], ids=["half", "edge in its middle", "gone"])
@@ -127,7 +124,7 @@ def test_a_mark_cut_off_by_the_scan_fails_alone(tmp_path: Path, beyond: int) -> 
     frame = make_frame(Look("wedge"), SIDES, 500, seed=15)
     pixels = np.ascontiguousarray(frame.pixels[:, : int(frame.places["1"][0]) - beyond])
     made = measured(pixels, tmp_path, SIDES, OrientationSettings(shapes=chosen_shapes("wedge", False, None)))
-    assert [mark.status.value for mark in made.marks] == ["failed", "measured", "measured", "measured"]
+    assert [mark.status for mark in made.marks] == ["failed", "measured", "measured", "measured"]
     assert max(errors(made, frame)) < 0.1
 
 
@@ -153,7 +150,7 @@ def test_things_that_lie_as_the_marks_do_are_not_taken_for_them(tmp_path: Path, 
     covered = disc & (x < 0) if "half" in thing else disc & ~((x > 14) & (y > 14))
     made = measured(with_four_alike(frame, covered), tmp_path)
     assert max(errors(made, frame)) < 0.1
-    assert made.count(MarkStatus.MEASURED) == 4
+    assert made.count(limits.MEASURED) == 4
 
 
 def test_bits_and_colours_do_not_matter(tmp_path: Path) -> None:
@@ -190,7 +187,7 @@ def test_black_that_the_file_calls_nodata_is_a_grey_value(
     del dataset
     settings = OrientationSettings(shapes=chosen_shapes("ring with cross", True, None))
     made = orient_photo(Photo(RasterRef(path)), CameraCalibration(CAMERA), {}, settings)
-    assert made.count(MarkStatus.MEASURED) == 4
+    assert made.count(limits.MEASURED) == 4
     assert max(errors(made, frame)) < 0.1
 
 
@@ -198,14 +195,14 @@ def test_a_given_place_that_is_off_takes_no_part(tmp_path: Path) -> None:
     """30 px beside its mark it went into the transformation, with residuals of a millimetre."""
     frame = make_frame(Look(dots=True, diagonal=True), side=500, seed=14)
     settings = OrientationSettings(shapes=chosen_shapes("ring with cross", True, None))
-    for away, status in ((0.2, MarkStatus.GIVEN), (30, MarkStatus.FAILED)):
+    for away, status in ((0.2, limits.GIVEN), (30, limits.FAILED)):
         column, row = frame.places["2"]
         given = {"2": GivenPosition((column + away, row), measure=False)}
         made = measured(frame.pixels, tmp_path, settings=settings, positions=given)
         assert [mark.status for mark in made.marks] == [
-            MarkStatus.MEASURED, status, MarkStatus.MEASURED, MarkStatus.MEASURED
+            limits.MEASURED, status, limits.MEASURED, limits.MEASURED
         ]
-        assert made.fitted.marks == 3 + (status is MarkStatus.GIVEN)
+        assert made.fitted.marks == 3 + (status == limits.GIVEN)
     everywhere = {name: GivenPosition((x + 40 * (name == "2"), y), False) for name, (x, y) in frame.places.items()}
     made = measured(frame.pixels, tmp_path, positions=everywhere)
     assert [mark.name for mark in made.marks if mark.place is None] == ["2"]
@@ -243,7 +240,7 @@ def test_a_mark_that_looks_like_no_other_is_measured_by_its_cut_out(tmp_path: Pa
     pixels[around] = np.where(np.hypot(*np.mgrid[-24:25, -24:25]) < 13, 230, pixels[around])  # painted over by hand
     template = cut_out(pixels[around].astype(float))
     made = measured(pixels, tmp_path, settings=OrientationSettings(template=template))
-    assert made.count(MarkStatus.MEASURED) == 4
+    assert made.count(limits.MEASURED) == 4
     assert max(errors(made, frame)) < 1
 
 
@@ -266,8 +263,8 @@ def test_a_whole_scanned_frame(unbc: Path, unbc_orientation: PhotoOrientation) -
     """The published places were set by hand, one visibly 0.9 px off."""
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
     made = unbc_orientation
-    assert [mark.status for mark in made.marks] == [MarkStatus.MEASURED] * 4
-    assert (made.scan_orientation, made.evidence) == (ScanOrientation(0, False), OrientationEvidence.DOTS)
+    assert [mark.status for mark in made.marks] == [limits.MEASURED] * 4
+    assert (made.scan_orientation, made.evidence) == (ScanOrientation(0, False), limits.DOTS)
     distances = [math.dist(mark.place, published[mark.name]) for mark in made.marks if mark.place]
     assert np.mean(distances) < 0.62
     assert (made.fitted.rms_x, made.fitted.rms_y) < (14, 14.5)
@@ -277,8 +274,8 @@ def test_a_whole_scanned_frame(unbc: Path, unbc_orientation: PhotoOrientation) -
 def test_the_published_places_leave_the_residuals_that_are_known_of_them(unbc: Path) -> None:
     calibration = read_calibration(unbc / "MeasuresCamera.xml").marks
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
-    given = [MarkResult(name, calibration[name], MarkStatus.GIVEN, place) for name, place in published.items()]
-    fitted = fit_marks(given, PlaneModel.AFFINE)[0]
+    given = [MarkResult(name, calibration[name], limits.GIVEN, place) for name, place in published.items()]
+    fitted = fit_marks(given, limits.AFFINE)[0]
     assert (fitted.rms_x, fitted.rms_y) == pytest.approx((11.6, 14.3), abs=0.05)
 
 
@@ -288,8 +285,8 @@ def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:
     turned = np.ascontiguousarray(np.rot90(Photo(RasterRef(str(unbc / UNBC))).grey().astype(np.uint8)[:, ::-1], -1))
     photo = Photo(RasterRef(write_plain(tmp_path / "turned.tif", turned)))
     made = orient_photo(photo, calibration, {}, OrientationSettings())
-    assert (made.scan_orientation, made.evidence) == (ScanOrientation(90, True), OrientationEvidence.DOTS)
-    assert made.count(MarkStatus.MEASURED) == 4
+    assert (made.scan_orientation, made.evidence) == (ScanOrientation(90, True), limits.DOTS)
+    assert made.count(limits.MEASURED) == 4
 
 
 @pytest.mark.release

@@ -1,14 +1,18 @@
-"""Transformations, outliers and comparison: formulas against numpy and by hand."""
+"""Transformations, outliers, comparison: formulas against numpy and by hand; a photo's world file as GDAL reads it."""
 from __future__ import annotations
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import PhotoError
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
 from seam_inspector.plugin.photos.measure.interior_orientation import fail_misplaced_marks, fit_marks
 from seam_inspector.plugin.photos.measure.mark_comparison import (
@@ -17,20 +21,20 @@ from seam_inspector.plugin.photos.measure.mark_comparison import (
     mark_differences,
     pixel_size,
 )
-from seam_inspector.plugin.photos.measure.orientation import MarkResult, MarkStatus
+from seam_inspector.plugin.photos.measure.orientation import MarkResult, world_file
 from seam_inspector.plugin.photos.measure.transformations import (
     LEAST_MARKS,
-    PlaneModel,
     Transformation,
     fit_transformation,
 )
 
 from tests.numbers.photos.photos import CAMERA, EIGHT
+from tests.numbers.synthetic import write_plain
 
 
-@pytest.mark.parametrize("model", PlaneModel)
+@pytest.mark.parametrize("model", limits.MODELS)
 @given(seed=st.integers(0, 10_000))
-def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
+def test_a_transformation_is_found_again(model: str, seed: int) -> None:
     random = np.random.default_rng(seed)
     turns = np.arange(6) * math.pi / 3  # round the frame: six at random may lie on a line
     points = 80 * np.column_stack([np.cos(turns), np.sin(turns)]) + random.uniform(-20, 20, (6, 2))
@@ -38,9 +42,9 @@ def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
     matrix = np.eye(3)
     matrix[:2, :2] = scale * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
     matrix[:2, 2] = random.uniform(0, 5000, 2)
-    if model is not PlaneModel.SIMILARITY:
+    if model != limits.SIMILARITY:
         matrix[:2, :2] += scale * random.uniform(-0.1, 0.1, (2, 2))
-    if model is PlaneModel.PROJECTIVE:
+    if model == limits.PROJECTIVE:
         matrix[2, :2] = random.uniform(-1e-3, 1e-3, 2)
     elif random.random() < 0.5:
         matrix[:, 0] *= -1  # mirrored
@@ -51,19 +55,19 @@ def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
     assert made.inverse.matrix[2, 2] == pytest.approx(1)
 
 
-@pytest.mark.parametrize("model", PlaneModel)
-def test_too_few_points_or_points_on_a_line(model: PlaneModel) -> None:
+@pytest.mark.parametrize("model", limits.MODELS)
+def test_too_few_points_or_points_on_a_line(model: str) -> None:
     line = np.array([(float(n), 2.0 * n) for n in range(6)])
     with pytest.raises(PhotoError, match=f"needs {LEAST_MARKS[model]}"):
         fit_transformation(model, line[: LEAST_MARKS[model] - 1], line[: LEAST_MARKS[model] - 1])
     with pytest.raises(PhotoError, match="the same place or on one line"):
-        fit_transformation(model, line * (0 if model is PlaneModel.SIMILARITY else 1), line)
+        fit_transformation(model, line * (0 if model == limits.SIMILARITY else 1), line)
 
 
 @pytest.mark.parametrize(("model", "names"), [
-    (PlaneModel.AFFINE, "154"), (PlaneModel.PROJECTIVE, "1546"), (PlaneModel.PROJECTIVE, "1827")
+    (limits.AFFINE, "154"), (limits.PROJECTIVE, "1546"), (limits.PROJECTIVE, "1827")
 ])
-def test_marks_nearly_on_a_line_determine_nothing_beside_it(model: PlaneModel, names: str) -> None:
+def test_marks_nearly_on_a_line_determine_nothing_beside_it(model: str, names: str) -> None:
     """Three at one side of the frame: a micrometre at them would be a tenth of a millimetre across the photo."""
     points = np.array([EIGHT[name] for name in names])
     for source, target in ((points, 25 * points), (25 * points, points)):
@@ -81,21 +85,21 @@ def marks(
         dx, dy = (moved or {}).get(name, (0, 0))
         noise = random.normal(0, 0.05, 2)
         place = 3000 + 25 * x + dx + noise[0], 3000 - 25 * y + dy + noise[1]
-        made.append(MarkResult(name, (x, y), MarkStatus.MEASURED, place))
+        made.append(MarkResult(name, (x, y), limits.MEASURED, place))
     return made
 
 
 def failed(made: list[MarkResult]) -> set[str]:
-    return {mark.name for mark in made if mark.status is MarkStatus.FAILED}
+    return {mark.name for mark in made if mark.status == limits.FAILED}
 
 
 def test_an_outlier_among_eight_is_found_by_the_model() -> None:
-    fitted, made, notices = fit_marks(marks(EIGHT, {"7": (9, 0)}), PlaneModel.AFFINE)
+    fitted, made, notices = fit_marks(marks(EIGHT, {"7": (9, 0)}), limits.AFFINE)
     assert failed(made) == {"7"}
     assert (fitted.marks, fitted.redundancy) == (7, 8)
     assert fitted.rms < 5
     assert notices == []
-    clean, made, notices = fit_marks(marks(EIGHT), PlaneModel.AFFINE)
+    clean, made, notices = fit_marks(marks(EIGHT), limits.AFFINE)
     assert failed(made) == set()
     assert notices == []
     assert clean.redundancy == 10
@@ -110,16 +114,16 @@ def test_an_outlier_among_eight_is_found_by_the_model() -> None:
 def test_what_makes_an_outlier(others: float, moved: float, out: set[str], named: bool) -> None:
     aside = zip(EIGHT, [(1, 0), (0, 1), (-1, 0), (0, -1), (0, 1), (1, 0), (0, 0), (-1, 0)])
     places = {name: (others * x, others * y) for name, (x, y) in aside}
-    _, made, notices = fit_marks(fail_misplaced_marks(marks(EIGHT, {**places, "7": (moved, 0)})), PlaneModel.AFFINE)
+    _, made, notices = fit_marks(fail_misplaced_marks(marks(EIGHT, {**places, "7": (moved, 0)})), limits.AFFINE)
     assert failed(made) == out
     assert [str(notice)[:25] for notice in notices] == ["The mark '7' stands out: "] * named
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("model", PlaneModel)
+@pytest.mark.parametrize("model", limits.MODELS)
 @pytest.mark.parametrize("names", ["1234", "12345", "12345678", "5678"])
 @given(seed=st.integers(0, 10_000))
-def test_film_that_is_deformed_costs_no_mark(model: PlaneModel, names: str, seed: int) -> None:
+def test_film_that_is_deformed_costs_no_mark(model: str, names: str, seed: int) -> None:
     """Bent by up to 0.04 mm, each mark its own way or the whole film: a limit of 0.05 mm threw good marks out."""
     random = np.random.default_rng(seed)
     points = np.array([EIGHT[name] for name in names]) / 110
@@ -131,7 +135,7 @@ def test_film_that_is_deformed_costs_no_mark(model: PlaneModel, names: str, seed
 
 
 def test_residuals_are_where_the_transformation_puts_a_mark_less_where_it_should_be() -> None:
-    fitted, made, _ = fit_marks(marks(CAMERA, {"2": (2, -1)}), PlaneModel.AFFINE)
+    fitted, made, _ = fit_marks(marks(CAMERA, {"2": (2, -1)}), limits.AFFINE)
     for mark in made:
         assert mark.place is not None
         put = fitted.to_mm(np.array([mark.place]))[0]
@@ -150,7 +154,7 @@ def test_of_four_marks_a_gross_error_is_named_and_a_small_one_is_not() -> None:
     made = fail_misplaced_marks(marks(CAMERA, {"2": (30, -10)}))
     assert failed(made) == {"2"}
     made = fail_misplaced_marks(marks(CAMERA, {"2": (2, 0)}))
-    made = fit_marks(made, PlaneModel.AFFINE)[1]
+    made = fit_marks(made, limits.AFFINE)[1]
     assert failed(made) == set()  # two degrees of freedom: all four residuals are of one size
     sizes = [math.hypot(*mark.residual) for mark in made if mark.residual]
     assert max(sizes) < 1.1 * min(sizes)
@@ -194,3 +198,22 @@ def test_calibration_files(tmp_path: Path) -> None:
         path.write_text(text, encoding="utf-8")
         with pytest.raises(PhotoError):
             read_calibration(path)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 1.2, 37.0, 90.0, -135.0])
+def test_gdal_puts_every_pixel_where_the_orientation_does(degrees: float, tmp_path: Path) -> None:
+    turn, pixel_mm = np.radians(degrees), 0.4
+    matrix = np.array([
+        [pixel_mm * np.cos(turn), pixel_mm * np.sin(turn), -106.0],
+        [pixel_mm * np.sin(turn), -pixel_mm * np.cos(turn), 106.0],
+        [0.0, 0.0, 1.0],
+    ])
+    to_mm = Transformation(limits.AFFINE, matrix)
+    marks = [SimpleNamespace(place=place) for place in ((0.0, 0.0), (530.0, 0.0), (0.0, 530.0), (530.0, 530.0))]
+    made: Any = SimpleNamespace(fitted=SimpleNamespace(to_mm=to_mm), marks=marks)
+    path = write_plain(tmp_path / "photo.png", np.zeros((530, 530), np.uint8))
+    (tmp_path / "photo.pgw").write_text(world_file(made))
+    transform = gdal.Open(path).GetGeoTransform()
+    places = np.array([(0.0, 0.0), (0.5, 0.5), (529.25, 17.75), (265.0, 530.0)])
+    transformed = [gdal.ApplyGeoTransform(transform, column, row) for column, row in places.tolist()]
+    assert np.array(transformed) == pytest.approx(to_mm(places), abs=1e-9)

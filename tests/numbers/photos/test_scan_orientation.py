@@ -1,12 +1,22 @@
-"""The way, of eight, that a photo lies in its scan: what each piece of evidence tells, and when it tells nothing."""
+"""How a photo lies in its scan, of eight ways, and a calibration that has only some of its marks."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.imagery.errors import PhotoError
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.photos.measure import limits
 from seam_inspector.plugin.photos.measure.arrangements import Arrangement
-from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration
+from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, check_calibration
+from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
+from seam_inspector.plugin.photos.measure.mark_templates import chosen_shapes
+from seam_inspector.plugin.photos.measure.orientation import OrientationSettings, PhotoOrientation
+from seam_inspector.plugin.photos.measure.photo import Photo
 from seam_inspector.plugin.photos.measure.scan_orientation import (
     SCAN_ORIENTATIONS,
     Labelling,
@@ -18,9 +28,9 @@ from seam_inspector.plugin.photos.measure.scan_orientation import (
     matching_residuals,
     possible_frames,
 )
-from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
-from tests.numbers.photos.photos import CAMERA, Place
+from tests.numbers.photos.photos import CAMERA, EIGHT, Look, Place, make_frame
+from tests.numbers.synthetic import write_plain
 
 SCALE = 20.0  # px/mm
 STRIP = CameraCalibration(CAMERA, data_strip=(0.0, 118.0))  # above the picture
@@ -83,14 +93,14 @@ def test_residuals_tell_where_marks_are_no_square_and_only_there(orientation: Sc
     every, _ = candidates(uneven)
     site_of = next(labelling.sites for labelling in every if labelling.orientation == orientation)
     measured = {site_of[name]: place for name, place in in_scan(uneven.marks, orientation).items()}
-    (chosen,) = matching_residuals(every, uneven, measured, PlaneModel.AFFINE)
+    (chosen,) = matching_residuals(every, uneven, measured, limits.AFFINE)
     assert chosen.orientation == orientation
     name, (x, y) = next(iter(measured.items()))
     off = {**measured, name: (x + 6 * SCALE, y)}  # measured badly: no way to lie fits much better than others
-    assert matching_residuals(every, uneven, off, PlaneModel.AFFINE) == []
+    assert matching_residuals(every, uneven, off, limits.AFFINE) == []
     square, _ = candidates(CameraCalibration(CAMERA))
     sites = dict(zip(square[0].sites.values(), in_scan(CAMERA, orientation).values()))
-    assert matching_residuals(square, CameraCalibration(CAMERA), sites, PlaneModel.AFFINE) == []
+    assert matching_residuals(square, CameraCalibration(CAMERA), sites, limits.AFFINE) == []
 
 
 def test_dots_tell_when_all_but_one_of_their_counts_agree() -> None:
@@ -119,3 +129,79 @@ def test_grain_is_no_dots_and_dots_are_counted() -> None:
             drawn[np.hypot(columns - 1.7 * radius, rows - place) <= 2] += 60
         for turn in range(4):
             assert count_numbering_dots(np.rot90(drawn, turn), radius, 0.0) == count
+
+
+SUBSETS = [names for count in range(9) for names in combinations(EIGHT, count)]
+
+
+@dataclass(frozen=True)
+class Scan:
+    """A photo and where its marks are."""
+
+    path: str
+    places: Mapping[str, Place]
+
+
+@pytest.fixture(scope="module")
+def bare(tmp_path_factory: pytest.TempPathFactory) -> Scan:
+    """Eight marks without numbers; the photo lies upright."""
+    frame = make_frame(Look(diagonal=True, size=20, width=2.6), EIGHT, 400, 0.82, 0.7, seed=3)
+    return Scan(write_plain(tmp_path_factory.mktemp("bare") / "photo.tif", frame.pixels), frame.places)
+
+
+@pytest.fixture(scope="module")
+def numbered(tmp_path_factory: pytest.TempPathFactory) -> Scan:
+    """Eight marks with their numbers; the photo lies upside down."""
+    side = 560
+    frame = make_frame(Look(diagonal=True, size=30, dots=True), EIGHT, side, 0.78, 0.7, seed=3)
+    path = write_plain(tmp_path_factory.mktemp("numbered") / "photo.tif", frame.pixels[::-1, ::-1].copy())
+    return Scan(path, {name: (side - x, side - y) for name, (x, y) in frame.places.items()})
+
+
+def oriented(path: str, names: Sequence[str], model: str) -> PhotoOrientation:
+    camera = CameraCalibration({name: EIGHT[name] for name in names})
+    check_calibration(camera, model)
+    shapes = chosen_shapes("ring with cross", None, None)  # two figures, between which to choose
+    return orient_photo(Photo(RasterRef(path)), camera, {}, OrientationSettings(shapes=shapes, model=model))
+
+
+def farthest(made: PhotoOrientation, scan: Scan) -> float:
+    """Largest distance of the marks from the truth, px."""
+    return max(math.dist(mark.place, scan.places[mark.name]) for mark in made.marks if mark.place)
+
+
+@pytest.mark.release
+def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
+    """A photo of eight marks holds turned ones of a subset too: where nothing tells which it is, that is said."""
+    models = list(limits.MODELS)
+    one_left_out = SUBSETS[-9:-1]
+    for number, names in enumerate([*SUBSETS[::47], *one_left_out]):
+        made, complaint = None, ""
+        try:
+            made = oriented(bare.path, names, models[number % 3])
+        except PhotoError as error:
+            complaint = str(error)
+        if made is None:
+            assert complaint.endswith("."), names
+            assert len(names) < 5, complaint
+            continue
+        assumed = made.evidence == limits.ASSUMED
+        assert assumed == any("The photo's orientation" in str(notice) for notice in made.notices), names
+        assert assumed or farthest(made, bare) < 1, names
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("names", "model", "words"), [
+    ("124", limits.AFFINE, None), ("2348", limits.AFFINE, None), ("1234", limits.PROJECTIVE, None),
+    ("154", limits.AFFINE, "one line"), ("1827", limits.PROJECTIVE, "one line"),
+    ("56", limits.SIMILARITY, "only 2 possible marks .* 3 are needed"), ("", limits.AFFINE, "few"),
+])
+def test_what_becomes_of_a_subset(numbered: Scan, names: str, model: str, words: str | None) -> None:
+    if words is not None:
+        with pytest.raises(PhotoError, match=words):
+            oriented(numbered.path, names, model)
+        return
+    made = oriented(numbered.path, names, model)
+    assert made.evidence == limits.DOTS
+    assert all(mark.place for mark in made.marks)
+    assert farthest(made, numbered) < 0.2

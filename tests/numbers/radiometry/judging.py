@@ -12,9 +12,14 @@ from seam_inspector.plugin.radiometry.measure.areas import GreyArea
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, judge
 from seam_inspector.plugin.radiometry.measure.image_statistics import known_range, range_of_set
 from seam_inspector.plugin.radiometry.measure.measured_image import MeasuredImage, measure
-from seam_inspector.plugin.radiometry.measure.rules import FROM_HISTOGRAM, LUMINOSITY, RuleSet
-
-from tests.numbers.radiometry.jrc import default_rules
+from seam_inspector.plugin.radiometry.measure.rules import (
+    DEFAULT_RULES,
+    FROM_HISTOGRAM,
+    LUMINOSITY,
+    RuleSet,
+    load_rules,
+    ready_rule_files,
+)
 
 
 def measured(path: str, rules: RuleSet, window: PixelWindow | None = None, **options: Any) -> MeasuredImage:
@@ -63,3 +68,8 @@ def figure(result: Assessment, check: str, band: str = "") -> float:
 
 def reasons(result: Assessment) -> dict[str, str]:
     return {figure.rule.check: str(figure.reason) for figure in result.checked_figures if figure.value is None}
+
+
+def default_rules() -> RuleSet:
+    """JRC's orthoimage specification for LPIS, as its text says."""
+    return load_rules(ready_rule_files()[DEFAULT_RULES])

@@ -17,7 +17,7 @@ from seam_inspector.plugin.radiometry.measure.rules import (
     ready_rule_files,
 )
 
-from tests.numbers.radiometry.jrc import default_rules
+from tests.numbers.radiometry.judging import default_rules
 
 GOOD: dict[str, Any] = {"check": "contrast", "least": 0.1, "most": 0.2, "source": "contract 7"}
 

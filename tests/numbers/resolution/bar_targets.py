@@ -12,27 +12,20 @@ from scipy.optimize import brentq
 from scipy.special import ndtr
 
 STEP = 2 ** (1 / 6)
-DARK, BRIGHT = 40.0, 200.0
-"""DN of the ground and the gaps, and of the bars."""
+DARK, BRIGHT = 40.0, 200.0  # DN of the ground and the gaps, and of the bars
 
-Ends = tuple[float, float, float, float]
-"""Column and row of both ends of a line."""
+Ends = tuple[float, float, float, float]  # column and row of both ends of a line
 
 
 @dataclass(frozen=True)
 class Bars:
     """A group of bars; what lies across them is at ``angle``."""
 
-    x: float
-    """Column of the middle."""
-    y: float
-    """Row of the middle."""
-    cycle: float
-    """Width of a bar and a gap together, px."""
-    length: float
-    """Length of the bars, px."""
-    angle: float = 0.0
-    """From the direction of the columns to the rows, radians."""
+    x: float  # column of the middle
+    y: float  # row of the middle
+    cycle: float  # width of a bar and a gap together, px
+    length: float  # length of the bars, px
+    angle: float = 0.0  # from the direction of the columns to the rows, radians
     count: int = 3
 
     def line(self, half: float = 1.6, turned: float = 0.0, aside: float = 0.0) -> Ends:

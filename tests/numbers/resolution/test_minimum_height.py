@@ -17,12 +17,10 @@ from seam_inspector.plugin.resolution.measure.minimum_height import (
 
 POSITIVE = st.floats(0.01, 1e5)
 
-
 TABLE_4A = (
     (2186, -19), (2186, -19), (2628, -3), (2590, -5), (2649, -2), (2885, 6), (2378, -12), (2431, -10), (2490, -8)
 )
-TABLE_4B = ((1314, -35), (1383, -31), (1453, -28))
-"""Mean minimum heights, m, and their tolerances, %."""
+TABLE_4B = ((1314, -35), (1383, -31), (1453, -28))  # mean minimum heights, m, and their tolerances, %
 
 
 def test_observers_of_a_pass_are_averaged_and_their_spread_is_told() -> None:

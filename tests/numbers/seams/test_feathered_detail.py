@@ -28,8 +28,7 @@ from tests.numbers.synthetic import luminance, placed_wavedec, read_pixels, text
 
 LEVELS = 3
 PIXEL = (1.0, 1.0)
-MAX_BIAS, MAX_SPREAD = 0.01, 0.05
-"""What is promised: mean and standard deviation of the difference from what is found."""
+MAX_BIAS, MAX_SPREAD = 0.01, 0.05  # what is promised: mean and standard deviation of the difference from what is found
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,8 +20,7 @@ from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 from tests.numbers.seams.profile.blends import SIDE, blend
 from tests.numbers.synthetic import luminance, read_pixels
 
-VARIANCES = (126.0, 79.0, 74.0)
-"""DN squared: the medians beside Brighton's seams."""
+VARIANCES = (126.0, 79.0, 74.0)  # DN squared: the medians beside Brighton's seams
 GREY, WHITE = 131.0, 255.0
 shares = st.floats(0, 1)
 variances = st.tuples(*[st.floats(0.01, 1000)] * 3)

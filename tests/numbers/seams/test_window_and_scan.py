@@ -28,8 +28,7 @@ from demo.block import GAP_FILLER, MIDDLE
 from demo.block import make_block as make_demo_block
 from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
 
-SIDE_PX = 256
-"""Side of the windows; less than any that has ground enough of its own."""
+SIDE_PX = 256  # side of the windows; less than any that has ground enough of its own
 SEAM_PX = 400
 
 

@@ -21,8 +21,7 @@ K1, K2, K3, P1, P2 = -0.1, 0.02, -0.003, 1e-3, -5e-4
 ANGLES = (4.0, -7.0, 125.0)
 PLACE = np.array([500_300.25, 5_540_700.5, 1850.75])
 UTM = "EPSG:32633"
-ORIGIN = (15.01, 50.01, 300.0)
-"""Longitude, latitude and height of the plane that reconstructions are in."""
+ORIGIN = (15.01, 50.01, 300.0)  # longitude, latitude and height of the plane that reconstructions are in
 YAML = f"""cam:
   type: brown
   im_size: [4000, 3000]
@@ -48,8 +47,7 @@ def turned(omega: float, phi: float, kappa: float) -> np.ndarray:
 
 
 PHOTO = turned(*ANGLES)
-CAMERA = (PHOTO @ np.diag([1, -1, -1])).T
-"""Ground to camera (x right, y down, z along the view)."""
+CAMERA = (PHOTO @ np.diag([1, -1, -1])).T  # ground to camera (x right, y down, z along the view)
 
 
 def geocentric(places: np.ndarray, system: int = 32633) -> np.ndarray:

@@ -14,11 +14,9 @@ from tests.qgis.scenes import layer, line, saved
 
 ROWS, STRIP, STRIPS = 900, 400, 4
 GSD = 0.1
-OVERLAP = 160
-"""Pixels that an orthoimage reaches beyond its seams."""
+OVERLAP = 160  # pixels that an orthoimage reaches beyond its seams
 FEATHER_PX = 40.0
-Planted = tuple[int, int, int]
-"""A seam, from 0, and the rows from and to which it is feathered."""
+Planted = tuple[int, int, int]  # a seam, from 0, and the rows from and to which it is feathered
 SHAPE = ROWS, STRIP * STRIPS
 
 

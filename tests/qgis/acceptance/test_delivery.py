@@ -13,8 +13,7 @@ from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
 pytestmark = [pytest.mark.slow, NEEDED]
 
-CLOSE = 0.05
-"""Tolerance, relative to what is known of the delivery."""
+CLOSE = 0.05  # tolerance, relative to what is known of the delivery
 
 
 @pytest.fixture(scope="module")

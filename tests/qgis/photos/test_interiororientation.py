@@ -13,7 +13,7 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsRasterLayer
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
-from seam_inspector.plugin.photos.measure.orientation_files import read_measures
+from seam_inspector.plugin.photos.measure.orientation import read_measures
 
 from tests.numbers.photos.photos import Place
 from tests.numbers.synthetic import write_plain

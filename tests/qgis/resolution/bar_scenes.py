@@ -12,8 +12,7 @@ from tests.numbers.resolution.bar_targets import STEP, Bars, image
 from tests.numbers.synthetic import UTM33, write_raster
 from tests.qgis.scenes import PIXEL, layer, line
 
-COARSEST_CM = 100.0
-"""Distance of the coarsest group of the scene: ten pixels."""
+COARSEST_CM = 100.0  # distance of the coarsest group of the scene: ten pixels
 
 
 @dataclass(frozen=True)

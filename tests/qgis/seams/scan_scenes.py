@@ -14,10 +14,8 @@ from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.scenes import layer, line
 
 COLUMNS, ROWS = 700, 520
-SEAM_METRES = 57.4
-"""Length of ``seam_columns`` at 0.1 m."""
-PIECE_M = 20.0
-"""Long enough for a verdict at 0.1 m."""
+SEAM_METRES = 57.4  # length of ``seam_columns`` at 0.1 m
+PIECE_M = 20.0  # long enough for a verdict at 0.1 m
 
 
 @dataclass(frozen=True)

@@ -27,8 +27,7 @@ from tests.qgis.scenes import Scene
 
 pytestmark = [pytest.mark.slow, pytest.mark.release, needs_dask]
 
-SIDE = 4200
-"""Side of the mosaic, px: 3 x 3 blocks."""
+SIDE = 4200  # side of the mosaic, px: 3 x 3 blocks
 
 
 @pytest.fixture(scope="module")

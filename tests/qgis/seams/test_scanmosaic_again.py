@@ -22,8 +22,7 @@ from tests.qgis.seams.scan_scenes import Files, images, write_scene
 
 pytestmark = pytest.mark.usefixtures("provider")
 
-SHAPE = 300, 6200
-"""4 blocks in a row."""
+SHAPE = 300, 6200  # 4 blocks in a row
 JOURNAL = ["loss.tif.scan"]
 LAYERS = ("SEAMS", "CELLS", "WORST")
 DATE = re.compile(r"\d{4}-\d\d-\d\dT[\d:.]+Z")

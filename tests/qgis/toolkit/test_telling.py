@@ -1,12 +1,13 @@
-"""A message is told by its level: in the log of a run, in the message bar and in the log messages."""
+"""A message is told by its level, in a run's log, the message bar and the log messages; the bar has room for a line."""
 from __future__ import annotations
 
+import pytest
 from qgis.core import Qgis, QgsApplication, QgsProcessingContext
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.errors import Level, Message
 from seam_inspector.plugin.toolkit.algorithms.base import SeamInspectorAlgorithm
 from seam_inspector.plugin.toolkit.algorithms.run import Run
-from seam_inspector.plugin.toolkit.desk.message_bar import bar_level, write_log
+from seam_inspector.plugin.toolkit.desk.message_bar import bar_level, brief_words, write_log
 
 from tests.qgis.runs import Log
 
@@ -57,3 +58,19 @@ def test_the_log_messages_show_the_level(qgis_app: QgsApplication) -> None:
     QgsApplication.messageLog().messageReceived.disconnect(hear)
     levels = Qgis.MessageLevel
     assert lines == [("warning 1.", int(levels.Warning)), ("error 1.", int(levels.Critical))]
+
+
+SHORT, FIRST, SECOND = "Eleven were placed.", "It is said in one sentence.", "word " * 30
+LONG = "A sentence that has no room beside a button is the first that is told."
+
+
+@pytest.mark.parametrize(
+    ("text", "brief"),
+    [(SHORT, SHORT), (f"{FIRST} {SHORT} {SECOND}", f"{FIRST} {SHORT}"), (SECOND, None),
+     (f"{FIRST} {SHORT} {FIRST}", f"{FIRST} {SHORT}"), (LONG, LONG), (f"{LONG} {SHORT}", LONG), ("x" * 200, None)],
+)
+def test_the_bar_has_room_for_a_line_and_the_rest_comes_behind(text: str, brief: str | None) -> None:
+    said, rest = brief_words(text)
+    assert len(said) <= 92
+    assert brief in (None, said)
+    assert f"{said.removesuffix(' …')}{rest}".replace(" ", "") == text.replace(" ", "")

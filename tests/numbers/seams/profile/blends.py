@@ -20,13 +20,10 @@ WAVELET, LEVELS, SIDE = "coif3", 3, 512
 class Blend:
     """Planes (rows, columns) float64."""
 
-    planes: tuple[np.ndarray, ...]
-    """The sources."""
-    weights: np.ndarray
-    """Weights of each of them in the mosaic, (sources, rows, columns), together 1."""
+    planes: tuple[np.ndarray, ...]  # the sources
+    weights: np.ndarray  # weights of each of them in the mosaic, (sources, rows, columns), together 1
     labels: np.ndarray
-    distance: np.ndarray
-    """From the nearest seam, px."""
+    distance: np.ndarray  # from the nearest seam, px
 
     @property
     def hard(self) -> np.ndarray:

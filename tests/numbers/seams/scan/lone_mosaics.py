@@ -18,8 +18,7 @@ from tests.numbers.synthetic import luminance, texture
 WAVELET = "coif3"
 SHAPE = (2048, 768)
 SEAM_COLUMN = SHAPE[1] / 2
-SEAM_SHAPE_PX = 40
-"""How far the seam swings to either side."""
+SEAM_SHAPE_PX = 40  # how far the seam swings to either side
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,8 +27,7 @@ class LoneMosaic:
 
     first: np.ndarray
     second: np.ndarray
-    distance: np.ndarray
-    """From the seam, positive on the second source's side, px."""
+    distance: np.ndarray  # from the seam, positive on the second source's side, px
     pieces: tuple[SeamPiece, ...]
     grid: Grid
 

@@ -21,8 +21,7 @@ from tests.numbers.synthetic import orthoimage, write_raster
 
 pytestmark = pytest.mark.slow
 
-ROWS, COLUMNS = 2100, 6200
-"""2 x 4 blocks, the last ones small."""
+ROWS, COLUMNS = 2100, 6200  # 2 x 4 blocks, the last ones small
 
 
 @pytest.fixture(scope="module")

@@ -13,8 +13,7 @@ from tests.numbers.synthetic import orthoimage, write_raster
 
 pytestmark = pytest.mark.release
 
-ROWS, COLUMNS = 2100, 8200
-"""2 x 5 blocks, the last ones small."""
+ROWS, COLUMNS = 2100, 8200  # 2 x 5 blocks, the last ones small
 
 
 @pytest.fixture(scope="module")

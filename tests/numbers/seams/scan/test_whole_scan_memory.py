@@ -13,8 +13,7 @@ from tests.numbers.synthetic import UTM33, orthoimage, wkt, write_raster
 
 pytestmark = pytest.mark.release
 
-SIDE = 2048
-"""Side of the tile that is repeated, px: a block."""
+SIDE = 2048  # side of the tile that is repeated, px: a block
 PROGRAM = """
 import re, sys
 from pathlib import Path
@@ -23,8 +22,7 @@ result = scanned(request_of(*sys.argv[2:]), Path(sys.argv[1]))[1]
 peak = re.search(r"VmHWM:\\s+(\\d+)", Path("/proc/self/status").read_text())
 print(int(peak.group(1)) // 1024, len(result.pieces))
 """
-MOST_MORE_MB = 30
-"""Memory of the largest scan beyond that of the smaller one: what is kept of longer seams, and noise."""
+MOST_MORE_MB = 30  # memory of the largest scan beyond that of the smaller one: what is kept of longer seams, and noise
 
 
 def repeated(path: Path, times: int) -> str:

@@ -27,8 +27,7 @@ LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.Mo
 SHIFT, CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 UTM33 = QgsCoordinateReferenceSystem("EPSG:32633")
 WEB_MERCATOR = QgsCoordinateReferenceSystem("EPSG:3857")
-MIDDLE = (2048, 1024)
-"""Column and row in the middle of the session's mosaic."""
+MIDDLE = (2048, 1024)  # column and row in the middle of the session's mosaic
 
 
 class Operator:

@@ -138,8 +138,7 @@ ROWS = [
 ]
 """Windows of all kinds, as the table of windows shows them."""
 
-Show = Callable[[QWidget], QWidget]
-"""Shows a widget until the test is over."""
+Show = Callable[[QWidget], QWidget]  # shows a widget until the test is over
 
 
 def filter_to(panel: WindowsPanel, text: str = "", choice: str = "all") -> list[int]:

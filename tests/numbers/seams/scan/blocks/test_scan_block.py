@@ -16,8 +16,7 @@ from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, beside, blended, images, measured, scene
 from tests.numbers.synthetic import placed_wavedec
 
-SEAM = 400
-"""Column."""
+SEAM = 400  # column
 
 
 @pytest.fixture(scope="module")
@@ -40,8 +39,7 @@ def by_cell(cells: CellTable, name: str) -> np.ndarray:
     return sums
 
 
-INSIDE = np.s_[1:-1, 1:-1]
-"""Cells but for those at the mosaic's edge, where PyWavelets goes on at the opposite one."""
+INSIDE = np.s_[1:-1, 1:-1]  # cells but for those at the mosaic's edge, where PyWavelets goes on at the opposite one
 
 
 @pytest.mark.parametrize("density", ["seams", "full"])

@@ -25,8 +25,7 @@ from seam_inspector.plugin.seams.measure.seamlines.seam_features import (
 
 from tests.numbers.synthetic import UTM33, wkt
 
-GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)
-"""400 x 200 m."""
+GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)  # 400 x 200 m
 
 def line(*places: tuple[float, float], **fields: object) -> SeamFeature:
     return fields, wkb(f"LINESTRING ({', '.join(f'{x} {y}' for x, y in places)})")

@@ -11,8 +11,7 @@ from osgeo import ogr
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, SeamPiece, cut_in_pieces, cut_off
 
-GRID = Grid(576000.0, 5188000.0, 0.25, 0.25, 8000, 6000)
-"""2000 x 1500 m."""
+GRID = Grid(576000.0, 5188000.0, 0.25, 0.25, 8000, 6000)  # 2000 x 1500 m
 
 
 def seam(*places: tuple[float, float], left: int | str | None = 0, right: int | str | None = 1) -> SeamPiece:

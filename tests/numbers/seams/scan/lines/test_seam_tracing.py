@@ -19,8 +19,7 @@ from tests.numbers.seams.scan.lines.labelled import (
 )
 from tests.numbers.synthetic import read_pixels
 
-SIDE = 200
-"""Samples of a small mosaic."""
+SIDE = 200  # samples of a small mosaic
 
 
 def trace_seams(labels: np.ndarray, grid: Grid, side: int = 512) -> list[SidedSeam]:

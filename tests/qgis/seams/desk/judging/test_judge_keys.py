@@ -33,8 +33,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import Show, WindowsSession, window
 
-UP_MS = 80
-"""A key that is not pressed again in this time is up."""
+UP_MS = 80  # a key that is not pressed again in this time is up
 
 
 class _Editing(QgsMapTool):

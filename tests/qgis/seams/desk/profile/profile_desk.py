@@ -25,10 +25,8 @@ PROFILE = SeamProfile(
         ProfileBin(1, 64, INFINITE, 1.0, 0.9, 1.1, 1.0, 5e4), ProfileBin(2, 0, 16, 0.7, 0.6, 0.8, 0.7, 1200.0),
     ),
 )  # fmt: skip
-WINDOW = PixelWindow(64, 32, 100, 120)
-"""No multiple of the cells of 8 px."""
-SEAM_COLUMN = 40
-"""In the window, px; the seam runs from its top to its bottom."""
+WINDOW = PixelWindow(64, 32, 100, 120)  # no multiple of the cells of 8 px
+SEAM_COLUMN = 40  # in the window, px; the seam runs from its top to its bottom
 
 
 class Explained:
