@@ -34,8 +34,8 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4673, 0, 0),
-    "plugin/seams/measure": Measures(16610, 1, 0),
-    "plugin/seams": Measures(12991, 0, 0),
+    "plugin/seams/measure": Measures(16694, 1, 0),
+    "plugin/seams": Measures(12990, 0, 0),
     "plugin/acceptance": Measures(5392, 1, 0),
     "plugin/toolkit": Measures(4457, 0, 0),
     "plugin/noise": Measures(1923, 0, 0),
@@ -44,8 +44,8 @@ BOUNDS = {
     "plugin/photos": Measures(3400, 0, 0),
     "plugin/sensors": Measures(5196, 0, 0),
     "plugin": Measures(340, 0, 0),
-    "python": Measures(1063, 0, 0),
-    "tests": Measures(47531, 0, 0),
+    "python": Measures(1062, 0, 0),
+    "tests": Measures(47452, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 
