@@ -17,7 +17,7 @@ from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import SamplingPlan
 
-_COVERED = 0.99  # of the strip along a piece: less is more than a ragged edge
+_COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
 _ALONG = np.linspace(0, 1, 11)  # places along a piece of which one may be nearest to what was looked at
 
 
@@ -33,7 +33,7 @@ class Unmeasured(Enum):
     """Why a piece on ground with detail was not measured."""
 
     ROUGH = "rough"  # its interval is too wide: it fails as likely as that says
-    UNCOVERED = "uncovered"  # the orthoimages beside it have no pixels for some of it
+    UNCOVERED = "uncovered"  # an orthoimage beside it has no pixels on its own side
     OTHER = "other"  # too short, or no orthoimage explains it, or the files can't be read any more
 
 
@@ -45,7 +45,7 @@ class DecidedPiece:
     state: PieceState  # passed, failed, not measured, or on ground without detail
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
     run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
-    cover: float | None = None  # share of the strip along it that both orthoimages show; None where that is not known
+    cover: float | None = None  # share of its side that each orthoimage shows at least; None where that is not known
 
     @property
     def unmeasured(self) -> Unmeasured | None:

@@ -1,4 +1,7 @@
-"""How much of the strip along pieces of seam both orthoimages beside them show, by the pixels that their files have."""
+"""How much of its side of pieces of seam each orthoimage beside them shows, by the pixels that its file has.
+
+A mosaic that was made of an orthoimage has its pixels where it shows it. Beyond the seam an orthoimage may end.
+"""
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -25,7 +28,8 @@ def file_stem(name: str) -> str:
 
 
 def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str]) -> dict[int, float]:
-    """Shares, 0 to 1, by the numbers of those pieces whose two orthoimages can be read: what both show at least.
+    """Shares, 0 to 1, by the numbers of those pieces whose two orthoimages can be read: of half of the strip, what the
+    one shows that shows less.
 
     ``paths``: of all orthoimages.
     """
@@ -36,7 +40,7 @@ def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str])
         with suppress(RasterError):
             shares = [_shown_share(path, piece.vertices, wkt) for path in beside if path]
             if len(shares) == len(beside):
-                cover[piece.number] = max(sum(shares) - 1, 0.0)
+                cover[piece.number] = min(2 * min(shares), 1.0)
     return cover
 
 

@@ -75,11 +75,18 @@ class Ruling:
         """The share, and between what it may lie with all that is not known."""
         figures, least_kept = self.figures, self.rules.least_kept
         likely_m = figures.failed_m + roughly_failed_m(self.pieces, least_kept)
-        blank_m = figures.not_measured_m - unmeasured_metres(self.pieces)[Unmeasured.ROUGH]
-        within, most_m = self._within(), figures.judged_m - blank_m
-        low, high = max(likely_m - within, 0.0), min(likely_m + within, most_m) + blank_m
+        known_m = figures.measured_m + unmeasured_metres(self.pieces)[Unmeasured.ROUGH]
+        within, blank_m = self._within(), self._blank_m()
+        low, high = max(likely_m - within, 0.0), min(likely_m + within, known_m) + blank_m
         value = figures.failed_m / figures.measured_m
-        return value, min(low / figures.judged_m, value), max(high / figures.judged_m, value)
+        return value, min(low / (known_m + blank_m), value), max(high / (known_m + blank_m), value)
+
+    def _blank_m(self) -> float:
+        """Metres that were not measured and may all have failed: those beside which orthoimages lack pixels, which the
+        producer gives, and the rest where that is more than the rules leave to chance."""
+        metres, least = unmeasured_metres(self.pieces), self.rules.rule(MEASURED_SHARE)
+        is_enough = least is None or least.passes(self.figures.measured_share)
+        return metres[Unmeasured.UNCOVERED] + (0.0 if is_enough else metres[Unmeasured.OTHER])
 
     def _within(self) -> float:
         """Half the 95 % interval of the metres that failed, where something is known of them; m."""
@@ -116,9 +123,9 @@ class Ruling:
             return messages.SHARE_FAILED(value=shown, limit=limit) if rule.check == FAILED_SHARE else (
                 messages.RUN_FAILED(value=shown, limit=limit)
             )
-        rest_m = self.figures.not_measured_m
-        if rule.check == FAILED_SHARE and rest_m > self._within():
-            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=rest_m, high=high)
+        blank_m = self._blank_m()
+        if rule.check == FAILED_SHARE and blank_m > self._within():
+            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=blank_m, high=high)
         if rule.check == FAILED_SHARE:
             return messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high)
         if not rule.passes(value):
@@ -142,7 +149,7 @@ class Ruling:
             return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
         if figures.not_measured_m and (
             MEASURED_SHARE in is_open or not figures.measured_m or is_short
-            or (share is not None and figures.not_measured_m > self._within())
+            or (share is not None and self._blank_m() > self._within())
         ):
             return self._would_measure(has_sources, MEASURED_SHARE in is_open)
         within = self._open_ends()
@@ -161,8 +168,9 @@ class Ruling:
         least, lacking = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m
         run, failed, every_m = self.rules.rule(LONGEST_FAILURE), self.figures.failed_m, self.figures.judged_m
         may_fail = self.rules.limit(FAILED_SHARE) or 0.0
-        wanted = max(least * every_m - self.figures.measured_m, lacking - max(may_fail * every_m - failed, 0.0))
-        needed = least + _SPARE if is_little else 1 - may_fail + failed / every_m
+        blank_m = self._blank_m()
+        wanted = max(least * every_m - self.figures.measured_m, blank_m - max(may_fail * every_m - failed, 0.0))
+        needed = least + _SPARE if is_little else 1 - may_fail + (failed - lacking + blank_m) / every_m
         if run is not None and not run.passes(self.figures.longest_unknown_m):
             wanted, needed = lacking, max(needed, 1 - run.limit / every_m)  # no row of it may be a failure
         if not has_sources:
