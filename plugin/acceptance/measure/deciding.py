@@ -62,7 +62,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         outcome = AcceptanceOutcome.UNDECIDED
     sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
     if lot is None and not delivery.is_part:
-        sheet_outcomes = [*_sheet_outcomes(of_each, delivery, whole.judged_m)]
+        sheet_outcomes = [*_sheet_outcomes(of_each, delivery)]
     doubts = sure or ([] if outcome is AcceptanceOutcome.REJECTED else lacks)
     reasons, always = _reasons(() if sure else outcomes, outcome, doubts), [reason for reason, _ in changed]
     if rules.is_of_file:
@@ -102,24 +102,16 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
     return AcceptanceOutcome.UNDECIDED if None in passed else AcceptanceOutcome.ACCEPTED
 
 
-def _sheet_outcomes(
-    rulings: Sequence[Ruling], delivery: Delivery, judged_m: float
-) -> Iterator[AcceptanceOutcome | None]:
+def _sheet_outcomes(rulings: Sequence[Ruling], delivery: Delivery) -> Iterator[AcceptanceOutcome | None]:
     """Outcome of each sheet by its own metres and by all of the failures that reach into it; pieces over a border are
-    looked at in the sheet of their middle. What may have failed leaves no share open where it is less than may fail of
-    all ``judged_m``.
+    looked at in the sheet of their middle.
 
     None is accepted on a layer that is not as its scan left it, none decided on where files are not those of the scan.
     """
     trusted = {layer.name for layer in delivery.layers if layer.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
     all_trusted, strange = len(trusted) == len(delivery.layers), any(against_any(delivery))
     for ruling in rulings:
-        outcomes = [
-            replace(rule, passed=True) if rule.check == FAILED_SHARE and (rule.value or 0) <= rule.limit
-            and ruling.figures.failed_m + ruling.figures.not_measured_m <= rule.limit * judged_m else rule
-            for rule in ruling.outcomes()
-        ]
-        outcome = outcome_of(outcomes) if ruling.pieces else None
+        outcome = outcome_of(ruling.outcomes()) if ruling.pieces else None
         layers = {decided.piece.seam[0] for decided in ruling.pieces}
         is_doubtful = bool(delivery.files.gone) or not (all_trusted or layers <= trusted)
         if ruling.pieces and (strange or (is_doubtful and outcome is AcceptanceOutcome.ACCEPTED)):

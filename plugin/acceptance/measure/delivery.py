@@ -168,7 +168,7 @@ class FileDoubts:
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
     cover: Mapping[int, float] = field(default_factory=dict, hash=False)
-    """Shares of its side of pieces that each orthoimage shows at least, by the numbers of those without a measurement."""
+    """Shares of its side of a piece that each orthoimage shows at least, by the numbers of pieces not measured."""
 
 
 @dataclass(frozen=True)

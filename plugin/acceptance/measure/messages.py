@@ -63,8 +63,8 @@ SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
     "{high:.2%}", INFO)
 SHARE_UNKNOWN = Message(
-    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with {metres:.0f} m that were not measured it may "
-    "be up to {high:.2%}", INFO)
+    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with {metres:.0f} m that were not measured "
+    "it may be up to {high:.2%}", INFO)
 RUN_FAILED = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
@@ -123,7 +123,8 @@ PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
 # what the decision rests on
 NOT_MEASURED = Message(
-    "{metres:.1f} of {all:.1f} m of seam could not be measured. If all of that failed, {worst:.1%} would fail.", WARNING)
+    "{metres:.1f} of {all:.1f} m of seam could not be measured. If all of that failed, {worst:.1%} would fail.", WARNING
+)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)

@@ -176,8 +176,8 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
 
 
 @pytest.mark.parametrize(("count", "failed", "low", "cover", "outcome"), [
-    (3, 0, None, 0.5, UNDECIDED), (2, 0, None, 0.5, ACCEPTED), (3, 3, None, 0.5, REJECTED), (3, 2, None, 0.5, UNDECIDED),
-    (3, 0, None, 1.0, ACCEPTED), (3, 0, 0.5, 0.5, ACCEPTED), (50, 0, 0.5, 0.5, UNDECIDED),
+    (3, 0, None, 0.5, UNDECIDED), (2, 0, None, 0.5, ACCEPTED), (3, 3, None, 0.5, REJECTED),
+    (3, 2, None, 0.5, UNDECIDED), (3, 0, None, 1.0, ACCEPTED), (3, 0, 0.5, 0.5, ACCEPTED), (50, 0, 0.5, 0.5, UNDECIDED),
 ])  # fmt: skip
 def test_what_orthoimages_do_not_show_counts_as_the_worst_that_it_may_be(
     count: int, failed: int, low: float | None, cover: float, outcome: AcceptanceOutcome
