@@ -8,7 +8,7 @@ from threading import Thread
 import numpy as np
 import pywt
 import scipy
-from scipy import fft, interpolate, ndimage, optimize, signal, sparse, spatial, special, stats
+from scipy import fft, interpolate, ndimage, optimize, signal, sparse, spatial, special
 from scipy.linalg import blas
 from scipy.sparse import csgraph
 from scipy.sparse.linalg import spsolve
@@ -102,7 +102,6 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.special.erfc": lambda: special.erfc(VALUES),
     "scipy.special.gammaincinv": lambda: special.gammaincinv(24.0, SHARES),
     "scipy.special.ndtr": lambda: special.ndtr(VALUES),
-    "scipy.stats.hypergeom.cdf": lambda: stats.hypergeom.cdf(2, 50, 5, 10),
 }
 
 
