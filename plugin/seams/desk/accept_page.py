@@ -229,6 +229,12 @@ class AcceptPage(QDialog):
         self.reason.setVisible(bool(why))
         self._saved.setText("")
 
+    def _let_go(self, *_: object) -> None:
+        """Of a verdict by other limits, on something else, or under another title."""
+        self.files = {}
+        self._say("", "")
+        self._show_state()
+
     def _shown_failures(self) -> QgsVectorLayer | None:
         layer = self._project.mapLayer(self._shown)
         return layer if isinstance(layer, QgsVectorLayer) else None
@@ -238,6 +244,8 @@ class AcceptPage(QDialog):
         has_scan = any(map(self._is_chosen, range(len(self._scans))))
         self.decider.setEnabled(has_scan and not is_busy)
         self._progress.setVisible(is_busy)
+        for box in self._boxes:
+            box.setEnabled(not is_busy)
         for button, name in ((self._report, "REPORT"), (self._failures, "DEFECTS"), (self.saver, "REPORT")):
             button.setVisible(bool(self.files))
             button.setEnabled(name in self.files and not is_busy)
@@ -277,10 +285,12 @@ class AcceptPage(QDialog):
                 given = kept[name] if isinstance(kept.get(name), kind) else definition.defaultValue()
                 if isinstance(field, QLineEdit):
                     field.setText(str(given or ""))
+                    field.textChanged.connect(self._let_go)
                 else:
                     field.setRange(0, 100 if name != "MAX_RUN" else 1e6)
                     field.setDecimals(1)
                     field.setValue(float(given))
+                    field.valueChanged.connect(self._let_go)
         self._before = self._given()
         self._list = QListWidget(self)
         self._list.setMaximumHeight(5 * self.fontMetrics().height())
@@ -289,7 +299,7 @@ class AcceptPage(QDialog):
             entry.setToolTip(plain_tip(scan.seams))
             is_own = scan.mosaic == self._inputs.mosaic
             entry.setCheckState(Qt.CheckState.Checked if is_own else Qt.CheckState.Unchecked)
-        self._list.itemChanged.connect(self._show_state)
+        self._list.itemChanged.connect(self._let_go)
         decided_on = QVBoxLayout()
         decided_on.addWidget(self._list)
         if not self._scans:
@@ -297,12 +307,14 @@ class AcceptPage(QDialog):
             hint.setWordWrap(True)
             decided_on.addWidget(hint)
         layout = QVBoxLayout(self)
+        self._boxes: list[QGroupBox] = []
         for title, part in (
             (tr("Delivery"), head), (tr("Limits"), limits), (tr("Scans and their sheets"), decided_on)
         ):
             box = QGroupBox(title, self)
             box.setLayout(part)
             layout.addWidget(box)
+            self._boxes.append(box)
         self.decider = self._button(tr("Decide"), tr("Decides in the background, by these limits."), self.decide)
         self.decider.setDefault(True)
         self._progress = QProgressBar(self)

@@ -161,6 +161,7 @@ def test_other_limits_decide_anew_and_replace_no_document(page: AcceptPage, tmp_
     page.save(tmp_path / "project")
     before = (tmp_path / "project" / "ortho_5_report.html").read_bytes()
     page.limits["MAX_SHARE"].setValue(100)
+    assert (page.verdict.text(), page.files, page.saver.isEnabled()) == ("", {}, False)  # of other limits
     assert decided(page) != "Rejected"
     page.save(tmp_path / "project")
     assert (tmp_path / "project" / "ortho_5_report_2.html").is_file()
