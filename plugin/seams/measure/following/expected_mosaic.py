@@ -221,7 +221,7 @@ class _Cutting:
 
     def _likely(self, shown: Mapping[int, np.ndarray], labels: np.ndarray, clear: np.ndarray) -> LikelySource:
         sources = self.sources
-        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed)
+        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed, sources.interpolated)
         return likely_source(fine, labels, clear, self.closeness.sampling)
 
 

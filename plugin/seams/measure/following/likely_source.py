@@ -6,7 +6,7 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
@@ -86,6 +86,8 @@ class FineDetail:
     valid: Mapping[int, np.ndarray] = field(default_factory=dict)
     """(rows, columns) bool: pixels that a source has, of those that don't have all."""
     is_compressed: IsCompressed = lambda number: False
+    interpolated: Collection[int] = ()
+    """Sources that lie between the mosaic's pixels, which leave more over than others do."""
 
 
 def likely_source(
@@ -148,7 +150,7 @@ def likely_source(
         {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
         between,
     )
-    cells = unexplained_cells(sums, fine.is_compressed, sampling is FINE)
+    cells = unexplained_cells(sums, fine.is_compressed, fine.interpolated, sampling is FINE)
     unexplained = enlarged(cells, times, followed.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])

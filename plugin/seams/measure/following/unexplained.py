@@ -3,12 +3,13 @@ ground of all, which tells images that are nearly alike as well.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import combinations, combinations_with_replacement
 
 import numpy as np
 from scipy import ndimage
 
+from ..seam_cells import is_one_of, present
 from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
 from .boxes import SMALLEST_PART_PX, box_means, enlarged, opened, without_islands
 from .compression import IsCompressed
@@ -22,9 +23,12 @@ _ALIKE_CELLS = 12  # the same where a source does resemble it
 _EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
-def unexplained_cells(sums: CellSums, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
+def unexplained_cells(
+    sums: CellSums, is_compressed: IsCompressed, interpolated: Collection[int], is_window: bool
+) -> np.ndarray:
     """Cells that the sources explain worse than true ones do, (cell rows, cell columns) bool.
 
+    ``interpolated``: sources that lie between the mosaic's pixels, which are judged by ground of their own.
     ``is_window``: whether all of it may be of no given source; a part of a block has too little ground to say that.
     """
     mosaic, labels, energies, products = sums.mosaic, sums.labels, sums.energies, sums.shared
@@ -65,7 +69,11 @@ def unexplained_cells(sums: CellSums, is_compressed: IsCompressed, is_window: bo
             np.minimum(mixed, by_some, out=mixed)
     if _is_explained(wide, mixed, textured):
         return np.zeros_like(strange)
-    return _strange_parts(wide, mixed, textured, seen, is_window)
+    numbers, parts = frozenset(present(labels)), np.zeros_like(strange)
+    for group in filter(None, (numbers.difference(interpolated), numbers.intersection(interpolated))):
+        of_group = is_one_of(labels, group)
+        parts |= _strange_parts(wide, mixed, textured & of_group, seen & of_group, is_window)
+    return parts
 
 
 def _strange_parts(
