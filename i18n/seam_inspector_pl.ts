@@ -629,7 +629,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3565,7 +3565,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="312"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4843,7 +4843,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="374"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -6250,42 +6250,42 @@
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="80"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="80"/>
         <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
         <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="115"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
@@ -6305,12 +6305,12 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="108"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="114"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="113"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
@@ -6320,7 +6320,7 @@
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="105"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -8081,12 +8081,12 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="354"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="352"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
@@ -8096,7 +8096,7 @@
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
@@ -8131,17 +8131,17 @@
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="272"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -9202,7 +9202,7 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="295"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -9581,27 +9581,27 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="221"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9848,12 +9848,12 @@
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -10045,47 +10045,47 @@
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="258"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="266"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="322"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="334"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="322"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="334"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="325"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="337"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="325"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="337"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
@@ -10100,12 +10100,12 @@
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10248,7 +10248,7 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
@@ -10368,22 +10368,22 @@
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10581,17 +10581,17 @@
         <translation>Tak, jak ma stać na papierze: 2026-11-23.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="137"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="136"/>
         <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
         <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="137"/>
         <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
         <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="138"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
     </message>
@@ -10780,12 +10780,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10900,12 +10900,12 @@
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
@@ -11137,24 +11137,19 @@
         <translation>; arkusze odrzucone same w sobie: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>no pixels beside {metres} of seam, such as at {place}; to be given by the producer</source>
         <translation>brak pikseli obok {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
         <source>their files can&apos;t be read</source>
         <translation>nie można odczytać ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
         <source>Length of seam beside which the orthoimages that were given have no pixels.</source>
         <translation>Długość linii mozaikowania, obok których podane ortoobrazy nie mają pikseli.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="98"/>
-        <source>Each piece of seam that could not be measured.</source>
-        <translation>Każdy odcinek linii mozaikowania, którego nie udało się zmierzyć.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="132"/>
@@ -11262,6 +11257,11 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured. If all of that failed, {worst:.1%} would fail.</source>
         <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania. Gdyby wszystkie były niezgodne, niezgodnych byłoby {worst:.1%}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="97"/>
+        <source>Each piece of seam on ground with detail.</source>
+        <translation>Każdy odcinek linii mozaikowania na terenie ze szczegółami.</translation>
     </message>
 </context>
 </TS>

@@ -17,7 +17,7 @@ from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import SamplingPlan
 
-_COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
+COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
 _ALONG = np.linspace(0, 1, 11)  # places along a piece of which one may be nearest to what was looked at
 
 
@@ -45,7 +45,7 @@ class DecidedPiece:
     state: PieceState  # passed, failed, not measured, or on ground without detail
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
     run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
-    cover: float | None = None  # share of its side that each orthoimage shows at least; None where that is not known
+    cover: tuple[float, float] | None = None  # as ``seam_cover`` has it; None where that is not known
 
     @property
     def unmeasured(self) -> Unmeasured | None:
@@ -54,7 +54,14 @@ class DecidedPiece:
             return None
         if None not in (self.piece.kept_1, self.piece.kept_low, self.piece.kept_high):
             return Unmeasured.ROUGH
-        return Unmeasured.OTHER if self.cover is None or self.cover >= _COVERED else Unmeasured.UNCOVERED
+        return Unmeasured.UNCOVERED if self.uncovered_m else Unmeasured.OTHER
+
+    @property
+    def uncovered_m(self) -> float:
+        """Metres beside which an orthoimage has no pixels on its own side: all of a piece that was not measured."""
+        if self.cover is None or self.cover[0] >= COVERED or self.state is PieceState.NO_DETAIL:
+            return 0.0
+        return self.piece.length_m * (1.0 if self.state is PieceState.NOT_MEASURED else 1 - self.cover[0])
 
 
 @dataclass(frozen=True)

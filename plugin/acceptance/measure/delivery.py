@@ -167,8 +167,7 @@ class FileDoubts:
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
-    cover: Mapping[int, float] = field(default_factory=dict, hash=False)
-    """Shares of its side of a piece that each orthoimage shows at least, by the numbers of pieces not measured."""
+    cover: Mapping[int, tuple[float, float]] = field(default_factory=dict, hash=False)  # as ``seam_cover`` gives it
 
 
 @dataclass(frozen=True)

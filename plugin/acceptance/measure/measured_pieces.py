@@ -9,7 +9,7 @@ import numpy as np
 
 from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
 from ...imagery.statistics import NORMAL_95
-from .decision import DecidedPiece, FailureRun, MetreFigures, Unmeasured
+from .decision import COVERED, DecidedPiece, FailureRun, MetreFigures, Unmeasured
 from .delivery import DeliveredPiece, Delivery
 
 NO_VERDICT = "not_comparable"  # the scan's word
@@ -90,7 +90,7 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
 
     Intervals narrow by the root of the length, as those of pieces that are put together do; no piece gets longer than
     its seam. What scans measured at 2 and 4 times the length lay within 0.06 of that (Brighton, a generated block, the
-    same half smooth; JPEG 60 and 75). Where orthoimages show a part of the strip it is measured once that part is as
+    same half smooth; JPEG 60 and 75). Where orthoimages end within the strip it is measured once what both show is as
     long as the shortest piece that was.
     """
     whole: dict[object, float] = defaultdict(float)
@@ -108,8 +108,8 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
             low, high = (kept * (end / kept) ** narrower for end in (low, high))
             has_verdict |= narrower < 1
         is_measured = piece_state(kept, low, high, least_kept, has_verdict) in MEASURED
-        if decided.unmeasured is Unmeasured.UNCOVERED:
-            is_measured = (decided.cover or 0.0) * longer_m >= shortest
+        if decided.unmeasured is Unmeasured.OTHER and decided.cover is not None and decided.cover[1] < COVERED:
+            is_measured = decided.cover[1] * longer_m >= shortest
         measured += piece.length_m * is_measured
     return measured / total if total else 0.0
 

@@ -27,20 +27,20 @@ def file_stem(name: str) -> str:
     return PureWindowsPath(name).stem.lower()
 
 
-def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str]) -> dict[int, float]:
+def seam_cover(pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str]) -> dict[int, tuple[float, float]]:
     """Shares, 0 to 1, by the numbers of those pieces whose two orthoimages can be read: of half of the strip, what the
-    one shows that shows less.
+    one shows that shows less; and of the strip, what both show at least.
 
     ``paths``: of all orthoimages.
     """
     by_stem = {file_stem(path): path for path in paths}
-    cover: dict[int, float] = {}
+    cover: dict[int, tuple[float, float]] = {}
     for piece in pieces:
         beside = [by_stem.get(file_stem(name)) for name in (piece.left_source, piece.right_source)]
         with suppress(RasterError):
             shares = [_shown_share(path, piece.vertices, wkt) for path in beside if path]
             if len(shares) == len(beside):
-                cover[piece.number] = min(2 * min(shares), 1.0)
+                cover[piece.number] = min(2 * min(shares), 1.0), max(sum(shares) - 1, 0.0)
     return cover
 
 

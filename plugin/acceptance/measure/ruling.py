@@ -75,8 +75,8 @@ class Ruling:
         """The share, and between what it may lie with all that is not known."""
         figures, least_kept = self.figures, self.rules.least_kept
         likely_m = figures.failed_m + roughly_failed_m(self.pieces, least_kept)
-        known_m = figures.measured_m + unmeasured_metres(self.pieces)[Unmeasured.ROUGH]
-        within, blank_m = self._within(), self._blank_m()
+        within, blank_m, metres = self._within(), self._blank_m(), unmeasured_metres(self.pieces)
+        known_m = figures.measured_m - self._hidden_m() + metres[Unmeasured.ROUGH]
         low, high = max(likely_m - within, 0.0), min(likely_m + within, known_m) + blank_m
         value = figures.failed_m / figures.measured_m
         return value, min(low / (known_m + blank_m), value), max(high / (known_m + blank_m), value)
@@ -86,7 +86,11 @@ class Ruling:
         producer gives, and the rest where that is more than the rules leave to chance."""
         metres, least = unmeasured_metres(self.pieces), self.rules.rule(MEASURED_SHARE)
         is_enough = least is None or least.passes(self.figures.measured_share)
-        return metres[Unmeasured.UNCOVERED] + (0.0 if is_enough else metres[Unmeasured.OTHER])
+        return metres[Unmeasured.UNCOVERED] + self._hidden_m() + (0.0 if is_enough else metres[Unmeasured.OTHER])
+
+    def _hidden_m(self) -> float:
+        """Metres of pieces that passed by a part beside which there are pixels."""
+        return math.fsum(decided.uncovered_m for decided in self.pieces if decided.state is PieceState.PASSED)
 
     def _within(self) -> float:
         """Half the 95 % interval of the metres that failed, where something is known of them; m."""
@@ -147,10 +151,8 @@ class Ruling:
         is_short = longest is not None and (longest.value or 0.0) <= longest.limit
         if MEASURED_SHARE not in is_open and longest is not None and is_short and self._hiding_m():
             return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
-        if figures.not_measured_m and (
-            MEASURED_SHARE in is_open or not figures.measured_m or is_short
-            or (share is not None and self._blank_m() > self._within())
-        ):
+        is_blank = share is not None and self._blank_m() > self._within()
+        if is_blank or (figures.not_measured_m and (MEASURED_SHARE in is_open or not figures.measured_m or is_short)):
             return self._would_measure(has_sources, MEASURED_SHARE in is_open)
         within = self._open_ends()
         if share is not None and within > known_within(self.pieces, self.rules.least_kept):
@@ -163,25 +165,24 @@ class Ruling:
         return float(np.median([decided.piece.length_m for decided in self.pieces]))
 
     def _would_measure(self, has_sources: bool, is_little: bool) -> Message:
-        """A length of pieces that would measure as much as is wanted and hides no failure; else the orthoimages that
-        are not there, else what remains. ``is_little``: whether less was measured than the rules ask for."""
-        least, lacking = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m
+        """Orthoimages that have pixels; else a length of pieces that would measure as much as is wanted and hides no
+        failure, else what remains. ``is_little``: whether less was measured than the rules ask for."""
+        least, lacking, blank_m = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m, self._blank_m()
         run, failed, every_m = self.rules.rule(LONGEST_FAILURE), self.figures.failed_m, self.figures.judged_m
         may_fail = self.rules.limit(FAILED_SHARE) or 0.0
-        blank_m = self._blank_m()
         wanted = max(least * every_m - self.figures.measured_m, blank_m - max(may_fail * every_m - failed, 0.0))
         needed = least + _SPARE if is_little else 1 - may_fail + (failed - lacking + blank_m) / every_m
         if run is not None and not run.passes(self.figures.longest_unknown_m):
             wanted, needed = lacking, max(needed, 1 - run.limit / every_m)  # no row of it may be a failure
         if not has_sources:
             return messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
+        uncovered = [decided for decided in self.pieces if decided.uncovered_m]
+        if uncovered and 2 * (metres := math.fsum(decided.uncovered_m for decided in uncovered)) >= wanted:
+            x, y = uncovered[0].piece.middle
+            return messages.WOULD_GIVE_COVER(metres=metres, x=x, y=y)
         typical, longest = self._typical_m(), (run.limit if run else 0.0) / 2 or math.inf
         for piece in (min(round(times * typical), longest) for times in (2, 4)):
             share = measured_with(self.pieces, self.rules.least_kept, piece)
             if piece > typical and share >= min(needed, 1.0):
                 return messages.WOULD_MEASURE(piece=Stated(piece), share=share)
-        uncovered = [decided.piece for decided in self.pieces if decided.unmeasured is Unmeasured.UNCOVERED]
-        if uncovered and 2 * (metres := math.fsum(piece.length_m for piece in uncovered)) >= wanted:
-            x, y = uncovered[0].middle
-            return messages.WOULD_GIVE_COVER(metres=metres, x=x, y=y)
         return messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking)

@@ -54,7 +54,7 @@ def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[st
         tuple(name for scanned in by_mosaic.values() if len(scanned) > 1 for name in scanned.values()),
         0 if mosaics else len(by_mosaic),
         seam_cover(
-            [piece for piece in delivery.pieces if piece.kept_1 is None and piece.has_detail], delivery.wkt,
+            [piece for piece in delivery.pieces if piece.has_detail], delivery.wkt,
             of_sources.places_of(of_sources.files),
         ),
     )

@@ -185,17 +185,15 @@ def _unmeasured(decision: Decision) -> str:
 
 def _cover_part(decision: Decision) -> tuple[str, str, str, bool]:
     """Whether the orthoimages show both sides of the seams, as far as their files can be read."""
-    name, places = tr("orthoimages along the seams"), defaultdict[object, list[DeliveredPiece]](list)
-    for decided in decision.pieces:
-        places[decided.unmeasured].append(decided.piece)
-    if lacking := places[Unmeasured.UNCOVERED]:
-        worst = max(lacking, key=lambda piece: piece.length_m)
+    name = tr("orthoimages along the seams")
+    if lacking := [decided for decided in decision.pieces if decided.uncovered_m]:
+        worst = max(lacking, key=lambda decided: decided.uncovered_m)
         words = filled(tr("no pixels beside {metres} of seam, such as at {place}; to be given by the producer"),
-            metres=metres(sum(piece.length_m for piece in lacking)),
-            place=", ".join(formatted(along, ".1f") for along in worst.middle))
+            metres=metres(sum(decided.uncovered_m for decided in lacking)),
+            place=", ".join(formatted(along, ".1f") for along in worst.piece.middle))
         return name, tr("With findings"), words, decision.accepted is not True
-    is_known = all(piece.number in decision.delivery.files.cover for piece in places[Unmeasured.OTHER])
-    return (name, tr("No findings"), "", False) if is_known else (
+    lacks = any(decided.cover is None and decided.unmeasured is Unmeasured.OTHER for decided in decision.pieces)
+    return (name, tr("No findings"), "", False) if not lacks else (
         name, tr("Not checked"), tr("their files can't be read"), False)
 
 

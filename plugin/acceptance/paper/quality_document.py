@@ -20,9 +20,8 @@ from ...toolkit.layers import box_extent, reference_system
 from ...toolkit.pages.templates import environment, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import Decision, RuleOutcome, Unmeasured
+from ..measure.decision import Decision, RuleOutcome
 from ..measure.inspection_plan import plan_sentence
-from ..measure.measured_pieces import unmeasured_metres
 from .inspection_record import InspectionRecord, how_measured
 from .paper_head import head_rows
 from .sheet_layer import extent_of_all
@@ -91,11 +90,11 @@ def quality_elements(decision: Decision) -> Iterator[QualityElement]:
                 kinds.get(code, ACCURACY), code, tr(check.title), tr(check.description), _evaluation(code, decision),
                 None if outcome is None else _conformance(outcome), quantities,
             )
-    if lacking := unmeasured_metres(decision.pieces)[Unmeasured.UNCOVERED]:
+    if lacking := sum(decided.uncovered_m for decided in decision.pieces):
         yield QualityElement(
             OMISSION, "uncovered", tr("orthoimages along the seams"),
             tr("Length of seam beside which the orthoimages that were given have no pixels."),
-            Evaluation(FULL, tr("Each piece of seam that could not be measured.")), None, [(lacking, METRES, "")],
+            Evaluation(FULL, tr("Each piece of seam on ground with detail.")), None, [(lacking, METRES, "")],
         )
     if decision.delivery.is_checked:
         yield _files(decision.delivery.findings)

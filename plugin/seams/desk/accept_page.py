@@ -230,7 +230,7 @@ class AcceptPage(QDialog):
         self._saved.setText("")
 
     def _let_go(self, *_: object) -> None:
-        """Of a verdict by other limits, on something else, or under another title."""
+        """Drop a verdict by other limits, on something else, or under another title."""
         self.files = {}
         self._say("", "")
         self._show_state()

@@ -188,10 +188,19 @@ def test_what_orthoimages_do_not_show_counts_as_the_worst_that_it_may_be(
     rough = [replace(item, kept_1=1.0, kept_low=low, kept_high=2.0, verdict="not_comparable") for item in blank]
     rest = seam([0.3] * failed + [0.95] * (100 - count - failed), 10, "a", "2", (0, 99), number=count)
     made = delivery(blank if low is None else rough, rest)
-    made = replace(made, files=replace(made.files, cover=dict.fromkeys(range(count), cover)))
+    made = replace(made, files=replace(made.files, cover=dict.fromkeys(range(count), (cover, 1.0))))
     decision = decide(made, rules(run=None, measured=0.4))
     assert decision.outcome is outcome
     assert decision.whole.not_measured_m == 10 * count
+
+
+@pytest.mark.parametrize(("count", "outcome"), [(2, ACCEPTED), (4, UNDECIDED)])
+def test_a_piece_that_passed_by_a_part_hides_what_orthoimages_do_not_show(
+    count: int, outcome: AcceptanceOutcome
+) -> None:
+    made = delivery(seam([0.95] * 100))
+    made = replace(made, files=replace(made.files, cover=dict.fromkeys(range(count), (0.2, 0.2))))
+    assert decide(made, rules(run=None)).outcome is outcome
 
 
 def test_layers_that_lack_seams_are_not_accepted() -> None:
