@@ -56,8 +56,8 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         outcomes.insert(0, lot[1])
     outcome, sure, changed = outcome_of(outcomes), [*against_any(delivery)], [*unsealed(delivery)]
     lacks = [] if sure else [*lacking(delivery, whole, sheets if lot is None else (), rules, outcome)]
-    if sure:  # figures of something else keep no rule and break none
-        outcomes = [replace(rule, passed=None, low=None, high=None) for rule in outcomes]
+    if sure:  # figures of something else keep no rule and break none, and are no failures
+        outcomes, runs = [replace(rule, passed=None, low=None, high=None) for rule in outcomes], ()
     if sure or ((lacks or changed) and outcome is AcceptanceOutcome.ACCEPTED):
         outcome = AcceptanceOutcome.UNDECIDED
     sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
@@ -154,5 +154,4 @@ def _figures(whole: MetreFigures) -> Iterator[Message]:
     if whole.no_detail_m:
         yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
     if whole.not_measured_m:
-        worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m
-        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m, worst=worst)
+        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)

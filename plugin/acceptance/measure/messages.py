@@ -122,9 +122,7 @@ WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
 # what the decision rests on
-NOT_MEASURED = Message(
-    "{metres:.1f} of {all:.1f} m of seam could not be measured. If all of that failed, {worst:.1%} would fail.", WARNING
-)
+NOT_MEASURED = Message("{metres:.1f} of {all:.1f} m of seam could not be measured.", WARNING)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
