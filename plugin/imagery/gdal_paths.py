@@ -100,7 +100,7 @@ def holds_only_tables(path: Path) -> bool:
     if not path.is_file():
         return False
     try:
-        with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", 0.05, uri=True)) as database:
+        with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", timeout=0.05, uri=True)) as database:
             return database.execute(_NOT_ROWS).fetchone() is None
     except (OSError, sqlite3.Error):
         return False

@@ -63,6 +63,7 @@ def _write(
     system = osr.SpatialReference()
     with suppress(RuntimeError):  # a text that means nothing is seen when the file is read
         system.SetFromUserInput(wkt)
+    gdal.ErrorReset()
     shape = int(getattr(geometry, "value", geometry))  # an enum from QGIS 3.30 on
     layer = dataset.CreateLayer(name, system if wkt else None, shape, ["OVERWRITE=YES"])
     kinds = {field("", kind).type(): of_gdal for kind, of_gdal in _TYPES.items()}

@@ -375,6 +375,7 @@ def test_what_names_no_system_lies_in_that_of_the_mosaic(block: Block, folder: P
 
 
 def test_a_sheet_without_any_seam_counts_for_nothing_beside_others(block: Block, folder: Path, tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
     gdal.Translate(f"{tmp_path}/sheet.tif", block.mosaic.ref.path, srcWin=[0, 0, 100, 100])
     sheet = open_block(tmp_path / "sheet.tif", [source.ref.path for source in block.sources], keep_copies=True)
     full = scan(block, seamlines=f"{folder}/seamlines.gpkg")

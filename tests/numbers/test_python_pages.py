@@ -59,6 +59,7 @@ def can_run(code: str) -> bool:
 
 
 def test_the_recipes_run_one_after_the_other(folder: Path, shell: dict[str, str]) -> None:
+    pytest.importorskip("pandas")
     codes = [code for _, code in RECIPES if not is_script(code) and can_run(code)]
     program = "\n".join(["import sys", *(f"sys.modules[{name!r}] = None" for name in ("qgis", "PyQt5")), *codes])
     run = ran([sys.executable, "-c", program], folder, shell)

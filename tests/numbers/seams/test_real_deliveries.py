@@ -65,7 +65,7 @@ def borders(seamlines: Path, mosaic: Path) -> list[ogr.Geometry]:
     extent = ogr.CreateGeometryFromWkt(f"POLYGON(({', '.join(f'{x} {y}' for x, y in corners)}))")
     areas = [feature.geometry().Intersection(extent) for feature in given.GetLayer(0)]
     shared = (area.Intersection(other) for area, other in combinations(areas, 2))
-    lines = (ogr.ForceToMultiLineString(border) for border in shared if border.GetDimension() == 1)
+    lines = (ogr.ForceToMultiLineString(border) for border in shared if border and border.GetDimension() == 1)
     return sorted(lines, key=lambda line: -line.Length())
 
 
