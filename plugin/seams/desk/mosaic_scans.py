@@ -283,9 +283,9 @@ def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
 
 def scan_message(bar: QgsMessageBar, done: ScanDone, judge: Callable[[], None]) -> QgsMessageBarItem:
     """Say how much was lost, and offer the worst places until they are taken, or the project closes."""
-    item = bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
+    item = bar.createMessage(escape(scan_sentence(done), quote=False))
     if done.worst_count:
-        button = QPushButton(tr("Judge the worst places"), item)
+        button = QPushButton(tr("Judge"), item)  # a longer word would leave no room for the sentence
         button.setToolTip(tr("Inspects the windows of the worst places, and goes to the worst that is not judged yet."))
         button.clicked.connect(item.dismiss)
         button.clicked.connect(lambda *_: judge())

@@ -159,6 +159,10 @@ class WindowsPanel(QWidget):
             self._search.clear()
             self._verdicts.setCurrentIndex(0)
 
+    def show_selected(self, *_: object) -> None:
+        """Bring the selected windows into sight."""
+        self._show_selection(set())
+
     # Following the session
 
     def _take_windows(self) -> None:

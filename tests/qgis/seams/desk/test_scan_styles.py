@@ -82,6 +82,17 @@ def test_every_layer_has_its_style() -> None:
     assert all(Path(style_path(item.style)).is_file() for item in SCAN_LAYERS)
 
 
+@pytest.mark.parametrize(
+    ("kept", "said"), [(0.47, "47 %"), (0.699, "69.9 %"), (0.6996, "69.96 %"), (0.7, "70 %"), (0.703, "70.3 %")]
+)
+def test_labels_of_seams_are_seen_to_lie_beyond_the_limit(qgis_app: QgsApplication, kept: float, said: str) -> None:
+    seams = layer("LineString", [line((0, 0), (9, 9))], kept_1=("double", [kept]), verdict=("string", ["reduced"]))
+    load_style(seams, "seams")
+    context = QgsExpressionContext()
+    context.setFeature(next(seams.getFeatures()))
+    assert QgsExpression(seams.labeling().settings().fieldName).evaluate(context) == said
+
+
 def test_failures_have_other_numbers_than_windows(qgis_app: QgsApplication) -> None:
     failures = layer("LineString", [line((0, 0), (9, 9))], defect=("int", [20]))
     load_style(failures, "defects")
