@@ -186,7 +186,9 @@ class Judging(QObject):
             self._go_to(fids[0])
             return True
         row = self._session.row(fids[0])
-        following = self._number(self._after(row) if row is not None else None)
+        after = None if row is None else self._after(row)
+        following_row = None if after is None else self._session.row(after)
+        following = None if following_row is None else following_row.window_id  # numbers stay when a layer is saved
         self._session.judge(fids, word, self.operator)
         row = self._session.numbered(row.window_id) if row is not None else None
         if row is not None and self.word(row) == word:  # what could not be written is no reason to go on
@@ -379,11 +381,6 @@ class Judging(QObject):
         row = None if number is None else self._session.numbered(number)
         if row is not None:
             self._go_to(row.fid)
-
-    def _number(self, fid: int | None) -> int | None:
-        """Feature ids change when fields are added or the layer is saved; numbers stay."""
-        row = None if fid is None else self._session.row(fid)
-        return None if row is None else row.window_id
 
     def _selected_numbers(self) -> list[int]:
         return [row.window_id for row in map(self._session.row, self._session.selected()) if row is not None]

@@ -343,34 +343,32 @@ class ClickedPieces(QObject):
     def _take(self, place: QPoint) -> None:
         point = self._canvas.getCoordinateTransform().toMapCoordinates(place)
         clicked, block, mosaic = self._piece_at(point), self._session.block(), self._session.mosaic_layer()
-        if clicked is None or block is None or mosaic is None:
+        map_crs = self._canvas.mapSettings().destinationCrs()
+        here = None if mosaic is None else transformed_point(point, map_crs, mosaic.crs())
+        if clicked is None or block is None or here is None:
             self.leave()
             return
         from ...measure.scan.scan_result import fitting_window  # needs numpy, which QGIS starts without
         from ...report.flagged_windows import shown_profile
 
         (piece, outline, layer), grid = clicked, block.mosaic.grid
+        try:
+            window = clicked_window(grid, (here.x(), here.y()), self._session.inputs)
+            is_valid = OpenRaster(block.mosaic.ref).is_valid  # where no window is, the standard one says so
+            window = fitting_window(here.x(), here.y(), grid, window.width, is_valid) or window
+        except SeamInspectorError:  # beside the mosaic, or where it has no room
+            return
         strips = [
             ProfileRecord(1, (strip.near_m + strip.far_m) / 2, strip.kept, strip.kept, strip.kept)
             for strip in profile_of(str(piece.others["profile"]))[1:]  # without the judged strip
         ]
-        here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
-        try:
-            window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
-            if window is not None and here is not None:  # where none has pixels all over, this one says so
-                is_valid = OpenRaster(block.mosaic.ref).is_valid
-                window = fitting_window(here.x(), here.y(), grid, window.width, is_valid) or window
-        except SeamInspectorError:  # beside the mosaic, or where it has no room
-            window = None
-        if window is not None and here is not None:
-            self._session.select([])
-            pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
-            profile = shown_profile(piece, strips, pixel_m, min_kept)
-            self._session.piece = ClickedPiece(piece, window, profile, here)
-            self._mark.setToGeometry(outline, layer)
-            self._session.leave()  # the window of a piece before
-            self._session.hover(window, is_live=True)
-            self.changed.emit()
+        profile = shown_profile(piece, strips, grid.ground_sample_distance, self._session.inputs.min_kept)
+        self._session.select([])
+        self._session.piece = ClickedPiece(piece, window, profile, here)
+        self._mark.setToGeometry(outline, layer)
+        self._session.leave()  # the window of a piece before
+        self._session.hover(window, is_live=True)
+        self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> tuple[WindowRecord, QgsGeometry, QgsVectorLayer] | None:
         """The nearest piece of the mosaic's last scan, where the map shows it, its line and their layer."""

@@ -154,8 +154,8 @@ _GIVING_WAY = (
 )
 """Columns without room, the first that go first; verdict, loss, cause and observer always stay."""
 _CUT_SHORT = ("cause", "observer", "observer_2", "remark", "remark_2", "reason", "verdict")
-"""Columns of words that are known by their first letters, in the order in which they are cut, and get room again; verdicts
-when no other column can give way."""
+"""Columns of words that are known by their first letters, in the order in which they are cut, and get room again; the
+verdict only when no column is there to give way."""
 _LETTERS = 8  # that words have at least beyond their heading before another column goes
 _MEASURED_ROWS = 30  # from the first that is seen, of which a column has room for the longest
 _FIT_MS = 100  # from a change on, so that many at once cost one look at all rows
