@@ -7,7 +7,7 @@ from __future__ import annotations
 from html import escape
 
 from qgis.core import Qgis
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool, QgsMessageBarItem
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QKeyEvent
@@ -143,7 +143,7 @@ class ToolDock(QgsDockWidget):
     def _take_off(self, text: str) -> None:
         """Take a message off the bar, however much of it is shown: it is not so any more, or comes again."""
         bar, whole = self._iface.messageBar(), escape(text, quote=False)
-        for item in bar.findChildren(QgsMessageBarItem):
+        for item in bar.items():
             brief = item.text().removesuffix(CUT)
             if brief and not item.title() and whole.startswith(brief):
                 bar.popWidget(item)
