@@ -106,8 +106,7 @@ class MosaicScans(QObject):
         return worst_layer(self._project, self._session.inputs.mosaic)
 
     def count_hidden(self) -> int:
-        """The number of pieces that kept less than the last of the worst and of which no window shows anything: beside
-        missing pixels none fits."""
+        """The number of pieces as bad as the worst places of which no window shows anything, as none fits there."""
         worst = self.worst_layer()
         if worst is None:
             return 0
