@@ -18,8 +18,8 @@ from .measure.limits import (
 from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
+    CAUSES,
     LOSSES,
-    brief_words,
     cause_clause,
     loss_words,
     seam_width_words,
@@ -234,7 +234,8 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
         said = _lost_along(1 - (row.kept_1 or 0.0), width)
         if row.loss is not None and _is_whole_soft(row, explanation):
             in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
-    clause = "".join(brief_words(cause) for cause in causes[:1])
+    brief = CAUSES[causes[0]].brief if causes and causes[0] in CAUSES else ""
+    clause = tr(brief) if brief else ""
     if causes and _is_at_seam(causes[0], explanation):
         clause = _brief_at_seam(causes, row)
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]

@@ -295,11 +295,6 @@ def cause_clause(cause: str, explanation: Explanation | None, number: float | No
     return filled(tr(shown.measured), value=shown.shown(number)) if number else tr(shown.clause)
 
 
-def brief_words(cause: str) -> str:
-    """What was done all over a window, in a word or two; empty for what took nothing there."""
-    return tr(CAUSES[cause].brief) if cause in CAUSES and CAUSES[cause].brief else ""
-
-
 Rgba = tuple[int, int, int, int]
 
 LOSS_CLASSES: tuple[tuple[float, Rgba, str], ...] = (

@@ -89,6 +89,7 @@ class InspectionDock(ToolDock):
         self.flicker.shown.connect(self.lost.give_way)
         self.judging.action.toggled.connect(self._begin_judging)
         self.judging.action.toggled.connect(self.flicker.hide)
+        self.judging.action.toggled.connect(self.windows.show_selected)
         self._findings: QgsMessageBarItem | None = None
         iface.messageBar().widgetAdded.connect(self._drop_notice)
         self.session.lost_detail.toggled.connect(self._uncover)
@@ -107,7 +108,7 @@ class InspectionDock(ToolDock):
         for choice in self.findChildren(QComboBox):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
         self.session.placesTaken.connect(self.windows.uncover)
-        self.session.placesTaken.connect(self.judging.model.walk)
+        self.session.placesTaken.connect(lambda fids: self.judging.model.walk(fids, self.scans.count_hidden()))
         self.session.stepped.connect(self.zoom_to)
         self.session.mosaicDoubted.connect(lambda message: self._ask(message, {
             tr("The windows are of this mosaic"): self.session.take_windows,  # nothing goes on with them before
@@ -119,6 +120,7 @@ class InspectionDock(ToolDock):
         self.question: QMessageBox | None = None
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
+        self.session.messageOutdated.connect(self._take_off)
         self.session.inputsChanged.connect(self._enable_actions)
         self.scans.scanned.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)

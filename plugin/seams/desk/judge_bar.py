@@ -173,7 +173,10 @@ class JudgeBar(QWidget):
             text = tr("By the scan, this piece of seam: {finding}")
             sentence = filled(text, finding=finding)
         elif self._judging.is_walked():
-            sentence = tr("All windows at the worst places are judged.")
+            hidden, sentence = self._judging.hidden_places, tr("All windows at the worst places are judged.")
+            if hidden:
+                text = tr("{judged} {count} {count:place has|places have} no window, as pixels are missing there.")
+                sentence = filled(text, judged=sentence, count=hidden)
         elif progress.is_done:
             rest = progress.rest()
             text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")

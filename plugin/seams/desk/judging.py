@@ -118,6 +118,7 @@ class Judging(QObject):
         self._place = -1
         self._last_place = -1
         self._walk: list[int] = []  # numbers of the windows that are gone through before all others
+        self.hidden_places = 0  # beside them, that have no window
         self._connections = Connections(
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
@@ -185,7 +186,9 @@ class Judging(QObject):
             self._go_to(fids[0])
             return True
         row = self._session.row(fids[0])
-        following = self._number(self._after(row) if row is not None else None)
+        after = None if row is None else self._after(row)
+        following_row = None if after is None else self._session.row(after)
+        following = None if following_row is None else following_row.window_id  # numbers stay when a layer is saved
         self._session.judge(fids, word, self.operator)
         row = self._session.numbered(row.window_id) if row is not None else None
         if row is not None and self.word(row) == word:  # what could not be written is no reason to go on
@@ -315,14 +318,15 @@ class Judging(QObject):
 
     # Places of a scan
 
-    def walk(self, fids: Sequence[int]) -> None:
-        """Go through these windows in their order and leave none out, until another one is selected.
+    def walk(self, fids: Sequence[int], hidden: int = 0) -> None:
+        """Go through these windows in their order and leave none out, until another one is selected. ``hidden``: places
+        as bad that have no window.
 
         To the first without the operator's word, or from such a one to the next; in a review to any of them.
         """
         rows = [row for row in map(self._session.row, dict.fromkeys(fids)) if row is not None]
         places = [row.fid for row in rows if not self.word(row)] or [row.fid for row in rows]
-        self._walk = [row.window_id for row in rows]
+        self._walk, self.hidden_places = [row.window_id for row in rows], hidden
         if places:
             current = self._session.selected()
             following = places.index(current[0]) + 1 if current and current[0] in places else 0
@@ -377,11 +381,6 @@ class Judging(QObject):
         row = None if number is None else self._session.numbered(number)
         if row is not None:
             self._go_to(row.fid)
-
-    def _number(self, fid: int | None) -> int | None:
-        """Feature ids change when fields are added or the layer is saved; numbers stay."""
-        row = None if fid is None else self._session.row(fid)
-        return None if row is None else row.window_id
 
     def _selected_numbers(self) -> list[int]:
         return [row.window_id for row in map(self._session.row, self._session.selected()) if row is not None]

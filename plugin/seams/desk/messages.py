@@ -10,7 +10,7 @@ WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO
 NOT_MOVED = Message(
     "The layer {name} stays in {old}, as it can't be moved to {folder} ({error}); export it from there."
 )
-NO_PIXELS_THERE = Message("No window there: parts of it have no pixels. Draw a smaller one beside the edge.", WARNING)
+NO_PIXELS_THERE = Message("No window there: pixels are missing. Draw a smaller one beside the edge.", WARNING)
 PLACES_TAKEN = Message("Windows at the worst places: {count}; there already: {there}.", INFO)
 WINDOWS_BACK = Message("Windows of this mosaic were restored. The project lacked them; they are in {path}.", INFO)
 DECISION_THERE_ALREADY = Message("{path} exists already: choose another folder, so that no document is replaced.")

@@ -46,6 +46,7 @@ class Session(QObject):
     inputsChanged = pyqtSignal()
     liveChanged = pyqtSignal()
     messageRaised = pyqtSignal(str, int)
+    messageOutdated = pyqtSignal(str)
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
     curvesArrived = pyqtSignal(int)
@@ -383,6 +384,7 @@ class Session(QObject):
             layer.commitChanges()
         with self._raised(), self._watch.unmoved():  # the windows are the same
             self._tell(messages.WINDOWS_MOVED(path=self._home.move(layer)))
+            self.messageOutdated.emit(sentence(messages.WINDOWS_KEPT_MEANWHILE(path=path)))
 
     def _layers_changed(self, *_: object) -> None:
         layer = self._project.mapLayer(self.inputs.windows)

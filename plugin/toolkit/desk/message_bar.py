@@ -28,15 +28,16 @@ def write_log(messages: Iterable[Message]) -> None:
         QgsMessageLog.logMessage(text, tr("Seam Inspector"), _LEVELS[message.level], False)
 
 
-_MOST_CHARACTERS = 90  # QGIS cuts what is longer than a line
-_BESIDE_BUTTON = 50  # characters of a line on a screen of 1,366 px with two docks, where a button stands beside them
+CUT = " …"
+_BUTTON = 13  # characters that it takes, by which the rest is shown
 
 
-def brief_words(text: str) -> tuple[str, str]:
-    """The words of a message that the bar has room for, whole sentences where there are several; and the rest."""
-    ends = [place + 1 for place in range(_MOST_CHARACTERS) if text[place : place + 2] in (". ", "? ", "! ")]
-    if len(text) <= (_BESIDE_BUTTON if ends else _MOST_CHARACTERS):
+def brief_words(text: str, most: int) -> tuple[str, str]:
+    """The words of a message for which a line of so many characters has room, whole sentences where they have; and the
+    rest, whose button takes room, too."""
+    if len(text) <= most:
         return text, ""
-    last_word = max(text.rfind(" ", 0, _MOST_CHARACTERS), 0) or _MOST_CHARACTERS
-    end = max((end for end in ends if end <= _BESIDE_BUTTON), default=ends[0] if ends else last_word)
-    return text[:end] + ("" if ends else " …"), text[end:].lstrip()
+    room = max(most - _BUTTON, _BUTTON)
+    ends = [place + 1 for place in range(room) if text[place : place + 2] in (". ", "? ", "! ")]
+    end = max(ends, default=0) or max(text.rfind(" ", 0, room), 0) or room
+    return text[:end] + ("" if ends else CUT), text[end:].lstrip()

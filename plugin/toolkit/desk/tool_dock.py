@@ -15,7 +15,7 @@ from qgis.PyQt.QtWidgets import QAction, QApplication
 
 from ..resources import icon_path
 from ..translation import tr
-from .message_bar import brief_words
+from .message_bar import CUT, brief_words
 
 
 class DrawingTool(QgsMapTool):
@@ -68,6 +68,7 @@ def is_drag(start: QPoint, end: QPoint) -> bool:
 
 
 _MESSAGE_SECONDS = 8
+_AROUND_PX = 200  # of a message, which its icon takes, the button that closes it and how many there are more
 
 
 class ToolDock(QgsDockWidget):
@@ -129,13 +130,20 @@ class ToolDock(QgsDockWidget):
 
     def _show_message(self, text: str, level: int) -> None:
         """Plain words: what others called their layers is no markup, as which the bar takes all it is given."""
-        brief, rest = brief_words(text)
+        room = (self._canvas.width() - _AROUND_PX) // self.fontMetrics().averageCharWidth()
+        self._take_off(text)
+        brief, rest = brief_words(text, room)
         self._show_markup(escape(brief, quote=False), level, rest)
 
     def _show_markup(self, text: str, level: int, more: str = "") -> None:
-        """``more``: the rest of it, behind a button."""
-        bar, title, shown = self._iface.messageBar(), tr("Seam Inspector"), Qgis.MessageLevel(level)
-        if more:
-            bar.pushMessage(title, text, more, shown, _MESSAGE_SECONDS)
-        else:
-            bar.pushMessage(title, text, shown, _MESSAGE_SECONDS)
+        """``more``: the rest of it, behind a button. A title would take half of the room on a small screen."""
+        words = (text, more) if more else (text,)
+        self._iface.messageBar().pushMessage("", *words, Qgis.MessageLevel(level), _MESSAGE_SECONDS)
+
+    def _take_off(self, text: str) -> None:
+        """Take a message off the bar, however much of it is shown: it is not so any more, or comes again."""
+        bar, whole = self._iface.messageBar(), escape(text, quote=False)
+        for item in bar.items():
+            brief = item.text().removesuffix(CUT)
+            if brief and not item.title() and whole.startswith(brief):
+                bar.popWidget(item)

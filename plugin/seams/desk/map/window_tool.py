@@ -3,8 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from itertools import product
-from math import hypot
 from typing import TYPE_CHECKING
 
 from qgis.core import (
@@ -42,7 +40,6 @@ from .under_mouse import ClickedPiece
 from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
-    from ...measure.window.inspection import Block
     from ..inputs.project_inputs import Inputs
     from ..session import Session
 
@@ -281,18 +278,6 @@ _REACH_PX = 8  # screen pixels at 96 dpi, from a line
 _MARK_PX = 5
 
 
-def window_with_pixels(block: Block, window: PixelWindow) -> PixelWindow:
-    """The nearest window to one, around the same place, in which the mosaic has pixels everywhere; itself where there
-    is none."""
-    grid, steps = block.mosaic.grid, sorted(product(range(-3, 4), repeat=2), key=lambda step: hypot(*step))
-    moved = (
-        replace(window, column=window.column + x * window.width // 8, row=window.row + y * window.height // 8)
-        for x, y in steps
-    )  # fmt: skip
-    inside = (place.moved_into(grid.columns, grid.rows) for place in moved)
-    return next(filter(OpenRaster(block.mosaic.ref).is_valid, inside), window)
-
-
 class ClickedPieces(QObject):
     """Follows clicks of the tools that pan and identify until ``close``, and marks the piece that is looked at."""
 
@@ -320,9 +305,9 @@ class ClickedPieces(QObject):
         self._canvas.scene().removeItem(self._mark)
 
     def judge(self) -> bool:
-        """Select a window that holds the place, or make one, which is inspected. Whether there is a piece."""
+        """Select a window that holds the place, or make one, which is inspected; where none can be made the piece stays
+        in view. Whether there is a piece."""
         piece = self._session.piece
-        self.leave()
         if piece is None:
             return False
         layer, mosaic = self._session.window_layer(), self._session.mosaic_layer()
@@ -358,31 +343,32 @@ class ClickedPieces(QObject):
     def _take(self, place: QPoint) -> None:
         point = self._canvas.getCoordinateTransform().toMapCoordinates(place)
         clicked, block, mosaic = self._piece_at(point), self._session.block(), self._session.mosaic_layer()
-        if clicked is None or block is None or mosaic is None:
+        map_crs = self._canvas.mapSettings().destinationCrs()
+        here = None if mosaic is None else transformed_point(point, map_crs, mosaic.crs())
+        if clicked is None or block is None or here is None:
             self.leave()
             return
+        from ...measure.scan.scan_result import fitting_window  # needs numpy, which QGIS starts without
+        from ...report.flagged_windows import shown_profile
+
         (piece, outline, layer), grid = clicked, block.mosaic.grid
+        try:
+            window = clicked_window(grid, (here.x(), here.y()), self._session.inputs)
+            is_valid = OpenRaster(block.mosaic.ref).is_valid  # where no window is, the standard one says so
+            window = fitting_window(here.x(), here.y(), grid, window.width, is_valid) or window
+        except SeamInspectorError:  # beside the mosaic, or where it has no room
+            return
         strips = [
             ProfileRecord(1, (strip.near_m + strip.far_m) / 2, strip.kept, strip.kept, strip.kept)
             for strip in profile_of(str(piece.others["profile"]))[1:]  # without the judged strip
         ]
-        here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
-        try:
-            window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
-            window = None if window is None else window_with_pixels(block, window)
-        except SeamInspectorError:  # beside the mosaic, or where it has no room
-            window = None
-        if window is not None and here is not None:
-            self._session.select([])
-            from ...report.flagged_windows import shown_profile  # needs numpy, which QGIS starts without
-
-            pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
-            profile = shown_profile(piece, strips, pixel_m, min_kept)
-            self._session.piece = ClickedPiece(piece, window, profile, here)
-            self._mark.setToGeometry(outline, layer)
-            self._session.leave()  # the window of a piece before
-            self._session.hover(window, is_live=True)
-            self.changed.emit()
+        profile = shown_profile(piece, strips, grid.ground_sample_distance, self._session.inputs.min_kept)
+        self._session.select([])
+        self._session.piece = ClickedPiece(piece, window, profile, here)
+        self._mark.setToGeometry(outline, layer)
+        self._session.leave()  # the window of a piece before
+        self._session.hover(window, is_live=True)
+        self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> tuple[WindowRecord, QgsGeometry, QgsVectorLayer] | None:
         """The nearest piece of the mosaic's last scan, where the map shows it, its line and their layer."""

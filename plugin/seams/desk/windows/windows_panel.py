@@ -61,7 +61,8 @@ class KindBox(QComboBox):
         self.operator = FIRST  # whose verdicts are asked for
         self.addItem(tr("all"), None)
         for verdict in VERDICTS:
-            self.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
+            test = lambda row, verdict=verdict: row.verdict == verdict  # noqa: E731
+            self.addItem(verdict_chip(verdict), verdict_word(verdict), test)
         self._add(tr("not judged"), partial(self._is_said, ""), tr("Windows that no observer has judged."))
         self._add(tr("not sure"), partial(self._is_said, UNSURE), tr("Windows where the observer was not sure."))
         self._add(tr("changed"), attrgetter("stale"), tr("Windows to be inspected again."))
@@ -91,10 +92,6 @@ class KindBox(QComboBox):
     def _is_said(self, word: str, row: WindowRecord) -> bool:
         """Whether a word was said of a window by the one whose verdicts are asked for."""
         return bool(getattr(row, self.operator.observer) == word)
-
-
-def _has_verdict(verdict: str, row: WindowRecord) -> bool:
-    return row.verdict == verdict
 
 
 class WindowsPanel(QWidget):
@@ -158,6 +155,10 @@ class WindowsPanel(QWidget):
         if not set(fids) <= set(self.ordered_fids()):
             self._search.clear()
             self._verdicts.setCurrentIndex(0)
+
+    def show_selected(self, *_: object) -> None:
+        """Bring the selected windows into sight."""
+        self._show_selection(set())
 
     # Following the session
 

@@ -153,8 +153,9 @@ _GIVING_WAY = (
     "reason", "paper_verdict", "sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2",
 )
 """Columns without room, the first that go first; verdict, loss, cause and observer always stay."""
-_CUT_SHORT = ("cause", "verdict", "observer", "observer_2", "remark", "remark_2", "reason")
-"""Columns of words that are known by their first letters, in the order in which they are cut, and get room again."""
+_CUT_SHORT = ("cause", "observer", "observer_2", "remark", "remark_2", "reason", "verdict")
+"""Columns of words that are known by their first letters, in the order in which they are cut, and get room again; the
+verdict only when no column is there to give way."""
 _LETTERS = 8  # that words have at least beyond their heading before another column goes
 _MEASURED_ROWS = 30  # from the first that is seen, of which a column has room for the longest
 _FIT_MS = 100  # from a change on, so that many at once cost one look at all rows
@@ -255,7 +256,8 @@ class WindowsTable(QTableView):
         places = {column.name: place for place, column in enumerate(COLUMNS) if column.name in names}
         headings = {name: self._heading(COLUMNS[place]) for name, place in places.items()}
         whole = {name: max(headings[name], self.sizeHintForColumn(place)) for name, place in places.items()}
-        short = {name: min(whole[name], headings[name] + letters) for name in _CUT_SHORT if name in names}
+        cut = (name for name in _CUT_SHORT[:-1] if name in names)
+        short = {name: min(whole[name], headings[name] + letters) for name in cut}
         widths = {**whole, **short}
         for name in _GIVING_WAY:
             if sum(widths.values()) > room:

@@ -183,7 +183,7 @@ def worst_windows(
         judged = pieces[number]
         if len(worst) >= count:
             break
-        window = _fitting(*judged.piece.middle, grid, side, is_valid)
+        window = fitting_window(*judged.piece.middle, grid, side, is_valid)
         if window is None or taken.shares_too_much(window):
             continue
         taken.add(window)
@@ -201,7 +201,7 @@ def window_side_px(grid: Grid, levels: int) -> int:
     return side - side % 2**levels
 
 
-def _fitting(
+def fitting_window(
     x: float, y: float, grid: Grid, side: int, is_valid: Callable[[PixelWindow], bool]
 ) -> PixelWindow | None:
     """The window around a place, else the first of those aside that holds it, else of smaller ones."""

@@ -22,7 +22,8 @@ from tests.qgis.scenes import at, layer, line, whole
 from tests.qgis.seams.desk.session_desk import Desk, settle, wait_until
 
 KEPT = 0.31
-BESIDE_NODATA = line((470, 0), (470, 256))
+OUTSIDE = 500  # where the mosaic has no pixels
+BESIDE_NODATA = line((470, 0), (470, 256)), line((OUTSIDE, 0), (OUTSIDE, 256))
 
 
 class Map:
@@ -35,10 +36,10 @@ class Map:
         desk.mosaic = desk.raster(Path(write_raster(folder / "mosaic.tif", pixels, nodata=0)))
         desk.set(desk.inputs())
         made = sealed(layer(
-            "LineString", [line((256, 0), (256, 256)), BESIDE_NODATA], kept_1=("double", [KEPT, 0.57]),
-            kept_low=("double", [KEPT - 0.05, 0.5]), kept_high=("double", [KEPT + 0.05, 0.6]),
-            band_width=("double", [2.0, 1.0]), verdict=("string", ["significant"] * 2),
-            profile=("string", ["0 1 0.310; 0 0.2 0.250; 0.2 0.4 0.400", "0 1 0.570; 0 0.2 0.500; 0.2 0.4 0.700"]),
+            "LineString", [line((256, 0), (256, 256)), *BESIDE_NODATA], kept_1=("double", [KEPT, 0.57, 0.48]),
+            kept_low=("double", [KEPT - 0.05, 0.5, 0.4]), kept_high=("double", [KEPT + 0.05, 0.6, 0.5]),
+            band_width=("double", [2.0, 1.0, 1.0]), verdict=("string", ["significant"] * 3),
+            profile=("string", ["0 1 0.310; 0 0.2 0.250; 0.2 0.4 0.400", "0 1 0.570; 0 0.2 0.500; 0.2 0.4 0.700", ""]),
         ))  # fmt: skip
         made.setName("seams")
         self.seams = QgsVectorLayer(f"{file(made, folder / 'seams.gpkg')}|layername=seams", "Seams", "ogr")
@@ -96,6 +97,18 @@ def test_a_click_on_a_piece_says_what_was_found_and_offers_a_window(shown: Map, 
     assert session.selected() == [row.fid]
     assert shown.desk.session.piece is None
     assert QgsRectangle(*row.extent).contains(QgsPointXY(*at(column, 128)))
+
+
+def test_a_piece_where_no_window_has_pixels_stays_in_view(shown: Map) -> None:
+    session = shown.desk.session
+    shown.click(OUTSIDE, 128)
+    said = shown.bar.sentence()
+    assert "52 % of detail lost" in said
+    assert shown.pieces.judge()
+    shown.desk.wait()
+    assert shown.desk.messages == ["No window there: pixels are missing. Draw a smaller one beside the edge."]
+    assert (session.windows(), shown.bar.sentence()) == ([], said)
+    assert session.piece is not None
 
 
 def test_elsewhere_blind_or_with_another_tool_a_click_is_the_tools(shown: Map) -> None:

@@ -5,8 +5,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import pytest
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProject, QgsVectorLayer
-from qgis.gui import QgisInterface
+from qgis.gui import QgisInterface, QgsMessageBar
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QPushButton
 from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
@@ -112,6 +113,23 @@ def test_unloading_while_it_scans_leaves_nothing(
         assert not [layer for layer in project.mapLayers().values() if "losses" in layer.name()]
 
     assert_leaves_nothing(qgis_iface, 2, use, no_losses)
+
+
+def test_a_message_that_is_shown_is_replaced_and_goes_when_it_is_so_no_more(
+    monkeypatch: pytest.MonkeyPatch, qgis_iface: QgisInterface, plugin: Any
+) -> None:
+    bar = QgsMessageBar()
+    monkeypatch.setattr(qgis_iface, "messageBar", lambda: bar)
+    action_of(plugin).trigger()
+    session, long = plugin.desk("seamInspectorAction").dock.session, "Many <words> " * 30
+    for text in (long, "Another.", long):
+        session.messageRaised.emit(text, 1)
+    settle(0.1)
+    assert len(bar.items()) == 2
+    session.messageOutdated.emit(long)
+    settle(0.1)
+    assert [item.text() for item in bar.items()] == ["Another."]
+    action_of(plugin).trigger()
 
 
 def test_accept_opens_the_decision_on_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:

@@ -82,11 +82,17 @@ def test_every_layer_has_its_style() -> None:
     assert all(Path(style_path(item.style)).is_file() for item in SCAN_LAYERS)
 
 
-def test_failures_have_other_numbers_than_windows(qgis_app: QgsApplication) -> None:
-    failures = layer("LineString", [line((0, 0), (9, 9))], defect=("int", [20]))
-    load_style(failures, "defects")
+@pytest.mark.parametrize(
+    ("style", "number", "said"),
+    [("defects", 20, "F20"), ("seams", 0.47, "47 %"), ("seams", 0.699, "69.9 %"), ("seams", 0.6996, "69.96 %"),
+     ("seams", 0.7, "70 %"), ("seams", 0.703, "70.3 %")],
+)  # fmt: skip
+def test_labels_are_no_windows_numbers_and_seen_to_lie_beyond_the_limit(
+    qgis_app: QgsApplication, style: str, number: float, said: str
+) -> None:
+    fields = {"defect": ("double", [number]), "kept_1": ("double", [number]), "verdict": ("string", ["reduced"])}
+    shown = layer("LineString", [line((0, 0), (9, 9))], **fields)
+    load_style(shown, style)
     context = QgsExpressionContext()
-    context.setFeature(next(failures.getFeatures()))
-    label = failures.labeling().settings()
-    assert label.isExpression
-    assert QgsExpression(label.fieldName).evaluate(context) == "F20"
+    context.setFeature(next(shown.getFeatures()))
+    assert QgsExpression(shown.labeling().settings().fieldName).evaluate(context) == said

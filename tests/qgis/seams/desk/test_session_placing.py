@@ -80,7 +80,7 @@ def test_no_window_is_drawn_where_the_mosaic_has_no_pixels(desk: Desk, tmp_path:
     desk.set(desk.inputs())
     desk.session.add_window(PixelWindow(0, 0, 128, 128))
     desk.wait()
-    assert desk.messages == ["No window there: parts of it have no pixels. Draw a smaller one beside the edge."]
+    assert desk.messages == ["No window there: pixels are missing. Draw a smaller one beside the edge."]
     assert desk.session.window_layer() is None
     desk.session.add_window(PixelWindow(0, 72, 128, 128))
     desk.wait()

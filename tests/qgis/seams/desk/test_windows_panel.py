@@ -146,6 +146,10 @@ def test_the_selected_window_stays_in_sight_where_its_verdict_moves_its_row(
     session.change(200, verdict="significant")
     assert panel.table.selected_rows() == [0]
     assert panel.table.is_in_sight(0)
+    panel.table.scrollToBottom()
+    assert not panel.table.is_in_sight(0)
+    panel.show_selected()
+    assert panel.table.is_in_sight(0)
 
 
 # Selection
