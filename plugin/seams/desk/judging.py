@@ -119,9 +119,7 @@ class Judging(QObject):
         self._last_place = -1
         self._walk: list[int] = []  # numbers of the windows that are gone through before all others
         self._connections = Connections(
-            (self._project.readProject, self._load),
-            (self._project.cleared, self._load),
-            (session.selectionChanged, self._leave_judged),
+            (session.begunAnew, self._load), (session.selectionChanged, self._leave_judged),
         )
 
     def close(self) -> None:
