@@ -55,7 +55,7 @@ class MosaicScans(QObject):
         self._background.ended.connect(self._ended)
         self._notes = 0  # warnings about the scan, all of which are in the log
         self.news: ScanNews | None = None  # how far the scan is; None while there is none
-        self._mosaic = ""  # the layer that is scanned
+        self._mosaic = ""  # the layer that is scanned, while it is there
         self._connections = Connections(
             (self._project.cleared, self._forget), (self._project.layersWillBeRemoved, self._leave_layers),
         )
@@ -140,8 +140,7 @@ class MosaicScans(QObject):
     def _ended(self, _key: object, outcome: Outcome) -> None:
         self.news = None
         if outcome.end is End.CANCELLED:
-            is_there = self._project.mapLayer(self._mosaic) is not None
-            self._tell(messages.SCAN_STOPPED() if is_there else SCAN_WITHOUT_MOSAIC())
+            self._tell(messages.SCAN_STOPPED() if self._mosaic else SCAN_WITHOUT_MOSAIC())
         self.changed.emit()
 
     def _forget(self) -> None:
@@ -152,6 +151,7 @@ class MosaicScans(QObject):
 
     def _leave_layers(self, ids: list[str]) -> None:
         if self._mosaic in ids:
+            self._mosaic = ""
             self.stop()
 
     # What was found
