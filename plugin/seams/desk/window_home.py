@@ -51,11 +51,11 @@ def windows_of(project: QgsProject, mosaic: str) -> str:
 def show_layers_of(project: QgsProject, mosaic: str) -> None:
     """Take what the desk made of other mosaics off the map, and put back what it took off it of this one."""
     for node in project.layerTreeRoot().findLayers():
-        of = node.layer().customProperty(MADE_FOR) if node.layer() is not None else None
-        if of == mosaic and node.customProperty(_WAITING):
+        made_for = node.layer().customProperty(MADE_FOR) if node.layer() is not None else None
+        if made_for == mosaic and node.customProperty(_WAITING):
             node.removeCustomProperty(_WAITING)
             node.setItemVisibilityChecked(True)
-        elif of and of != mosaic and (node.itemVisibilityChecked() or node.customProperty(HIDDEN)):
+        elif made_for and made_for != mosaic and (node.itemVisibilityChecked() or node.customProperty(HIDDEN)):
             node.removeCustomProperty(HIDDEN)
             node.setCustomProperty(_WAITING, True)
             node.setItemVisibilityChecked(False)

@@ -96,11 +96,8 @@ def test_a_mosaic_that_comes_back_brings_its_windows(
     assert on_map(desk) == {"Windows of mosaic": False}
     desk.session.leave_windows()
     second = desk.session.inputs.mosaic
-    if is_inspected:
-        desk.add(SHARP_WINDOW)
-    else:
-        desk.session.place_windows()
-        desk.wait()
+    desk.session.add_window(SHARP_WINDOW) if is_inspected else desk.session.place_windows()
+    desk.wait()
     count = len(desk.rows())
     assert on_map(desk) == {"Windows of mosaic": False, "Windows of another": True}
     desk.set(desk.inputs())
