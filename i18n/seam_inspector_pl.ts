@@ -674,42 +674,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="218"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="218"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -719,12 +719,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="245"/>
+        <location filename="../plugin/seams/desk/dock.py" line="247"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="379"/>
+        <location filename="../plugin/seams/desk/dock.py" line="381"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -869,7 +869,7 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="134"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -3953,7 +3953,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4308,22 +4308,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="199"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="199"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="204"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="204"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4348,17 +4348,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="86"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="88"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="132"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="134"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4378,7 +4378,7 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="214"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="223"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
@@ -4808,17 +4808,17 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="241"/>
+        <location filename="../plugin/seams/desk/judging.py" line="239"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="249"/>
+        <location filename="../plugin/seams/desk/judging.py" line="247"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="251"/>
+        <location filename="../plugin/seams/desk/judging.py" line="249"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -4868,22 +4868,22 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="347"/>
+        <location filename="../plugin/seams/desk/dock.py" line="349"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="356"/>
+        <location filename="../plugin/seams/desk/dock.py" line="358"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="353"/>
+        <location filename="../plugin/seams/desk/dock.py" line="355"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="65"/>
+        <location filename="../plugin/seams/desk/session.py" line="66"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
@@ -4953,7 +4953,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="62"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -5075,7 +5075,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="309"/>
+        <location filename="../plugin/seams/desk/dock.py" line="311"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7324,12 +7324,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="222"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="222"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8231,7 +8231,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="208"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -8701,12 +8701,7 @@
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="23"/>
-        <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
-        <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="26"/>
+        <location filename="../plugin/seams/desk/messages.py" line="25"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -9621,7 +9616,7 @@
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="68"/>
+        <location filename="../plugin/seams/desk/session.py" line="69"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -9758,7 +9753,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="246"/>
+        <location filename="../plugin/seams/desk/dock.py" line="248"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -9925,22 +9920,22 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="243"/>
+        <location filename="../plugin/seams/desk/session.py" line="251"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="243"/>
+        <location filename="../plugin/seams/desk/session.py" line="251"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="435"/>
+        <location filename="../plugin/seams/desk/session.py" line="448"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="435"/>
+        <location filename="../plugin/seams/desk/session.py" line="448"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
@@ -10045,47 +10040,47 @@
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="266"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="267"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="334"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="334"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="337"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="337"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
@@ -10095,17 +10090,17 @@
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="217"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="218"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10248,7 +10243,7 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="307"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
@@ -10258,12 +10253,12 @@
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="243"/>
+        <location filename="../plugin/seams/desk/dock.py" line="245"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -10676,7 +10671,7 @@
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="131"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10831,17 +10826,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="216"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="218"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="280"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="289"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10930,22 +10925,22 @@
         <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="436"/>
+        <location filename="../plugin/seams/desk/session.py" line="449"/>
         <source>how sure you are of window {number}</source>
         <translation>pewność oceny okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="436"/>
+        <location filename="../plugin/seams/desk/session.py" line="449"/>
         <source>how sure you are of {count} windows</source>
         <translation>pewność oceny okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="433"/>
+        <location filename="../plugin/seams/desk/session.py" line="446"/>
         <source>remark on window {number}</source>
         <translation>uwaga do okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="433"/>
+        <location filename="../plugin/seams/desk/session.py" line="446"/>
         <source>remark on {count} windows</source>
         <translation>uwaga do okien: {count}</translation>
     </message>
@@ -11267,6 +11262,21 @@
         <location filename="../plugin/seams/desk/messages.py" line="13"/>
         <source>No window there: pixels are missing. Draw a smaller one beside the edge.</source>
         <translation>Brak okna: brakuje tam pikseli. Narysuj mniejsze obok krawędzi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="22"/>
+        <source>The layer {name} has windows of {older}, and the mosaic is {newer} now.</source>
+        <translation>Warstwa {name} zawiera okna mozaiki {older}, a mozaiką jest teraz {newer}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="23"/>
+        <source>The scan was stopped: its mosaic is not in the project any more.</source>
+        <translation>Zatrzymano badanie: jego mozaiki nie ma już w projekcie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="299"/>
+        <source>Windows of {mosaic}</source>
+        <translation>Okna: {mosaic}</translation>
     </message>
 </context>
 </TS>

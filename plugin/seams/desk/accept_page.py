@@ -55,7 +55,7 @@ from ..words import verdict_colour
 from . import messages
 from .inputs.project_inputs import Inputs
 from .mosaic_scans import file_stem, worst_layer
-from .window_home import FAILURES, pictures_beside
+from .window_home import FAILURES, MADE_FOR, pictures_beside
 
 DECISION = "seaminspector:acceptmosaic"
 _FILES = {"REPORT": "report.html", "DEFECTS": "defects.gpkg", "QUALITY": "quality.xml"}
@@ -188,6 +188,7 @@ class AcceptPage(QDialog):
         if layer.isValid() and layer.id() not in self._project.mapLayers():
             load_style(layer, "defects")
             layer.setCustomProperty(FAILURES, True)
+            layer.setCustomProperty(MADE_FOR, self._inputs.mosaic)
             self._shown = layer.id()
             self._project.addMapLayer(layer, False)
             self._project.layerTreeRoot().insertLayer(0, layer)

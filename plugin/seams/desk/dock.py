@@ -170,7 +170,7 @@ class InspectionDock(ToolDock):
             self._findings.dismiss()
 
     def _ask(self, message: Message, answers: Mapping[str, Callable[[], None]]) -> None:
-        """``answers``: what is done by what the operator says; the last is what closing the question says."""
+        """``answers``: what is done by what the operator says; the last is what Enter and closing the question say."""
         if self.question is not None and not sip.isdeleted(self.question):
             return
         self.question = box = QMessageBox(
@@ -179,7 +179,9 @@ class InspectionDock(ToolDock):
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         roles = QMessageBox.ButtonRole
         for role, (text, do) in zip((roles.AcceptRole, roles.RejectRole), answers.items()):
-            box.addButton(text, role).clicked.connect(partial(self._answer, do))
+            button = box.addButton(text, role)
+            button.clicked.connect(partial(self._answer, do))
+            box.setDefaultButton(button)
         QgsProject.instance().cleared.connect(box.deleteLater)
         box.open()
 
@@ -317,7 +319,7 @@ class InspectionDock(ToolDock):
         rows = [row for row in map(self.session.row, self.session.selected()) if row is not None]
         if len(rows) == 1:
             self._iface.statusBarIface().showMessage(filled(tr("Window {number}"), number=rows[0].window_id))
-        elif self.judging.model.is_blind:
+        elif not rows or self.judging.model.is_blind:
             self._iface.statusBarIface().clearMessage()
 
     def _progress_row(self) -> QWidget:

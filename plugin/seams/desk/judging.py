@@ -120,9 +120,7 @@ class Judging(QObject):
         self._walk: list[int] = []  # numbers of the windows that are gone through before all others
         self.hidden_places = 0  # beside them, that have no window
         self._connections = Connections(
-            (self._project.readProject, self._load),
-            (self._project.cleared, self._load),
-            (session.selectionChanged, self._leave_judged),
+            (session.begunAnew, self._load), (session.selectionChanged, self._leave_judged),
         )
 
     def close(self) -> None:

@@ -20,7 +20,7 @@ from .judging import Judging
 from .map.window_tool import ClickedPieces
 from .map.window_view import WindowOutline, WindowView
 from .mosaic_scans import worst_layer
-from .window_home import FAILURES
+from .window_home import FAILURES, HIDDEN
 from .windows.windows_panel import WindowsPanel
 
 if TYPE_CHECKING:
@@ -53,8 +53,7 @@ class JudgingDesk(QObject):
         self._connections = Connections(
             (self.model.changed, self._follow), (windows.orderChanged, self.bar.refresh),
             (self.action.toggled, self._toggle), (dock.visibilityChanged, self._follow_dock),
-            (self._project.cleared, self.leave), (self._project.readProject, self.leave),
-            (session.inputsChanged, self._hide_windows),
+            (session.begunAnew, self.leave), (session.inputsChanged, self._hide_windows),
             (session.selectionChanged, self._mark), (session.windowsChanged, self._mark),
         )  # fmt: skip
         self._follow()
@@ -196,13 +195,12 @@ def covering(session: Session) -> Iterator[QgsLayerTreeNode]:
         yield node.parent()
 
 
-_HIDDEN = "seam_inspector/hidden"  # custom property of what was taken off the map
 _SHOWN = "seam_inspector/shown"  # of a mosaic that was not on it
 
 
 def _take_off(node: QgsLayerTreeNode) -> None:
     if node.isVisible():
-        node.setCustomProperty(_HIDDEN, True)
+        node.setCustomProperty(HIDDEN, True)
         node.setItemVisibilityChecked(False)
 
 
@@ -210,8 +208,8 @@ def _put_back(project: QgsProject) -> None:
     """On the map again, what judging took off it."""
     root = project.layerTreeRoot()
     for node in (*root.findLayers(), *root.findGroups(True)):
-        if node.customProperty(_HIDDEN):
-            node.removeCustomProperty(_HIDDEN)
+        if node.customProperty(HIDDEN):
+            node.removeCustomProperty(HIDDEN)
             node.setItemVisibilityCheckedParentRecursive(True)
         if node.customProperty(_SHOWN):
             node.removeCustomProperty(_SHOWN)

@@ -19,9 +19,8 @@ WINDOWS_TO_COPY = Message(
     "The windows in {name} are not in a windows file, so results and verdicts can't be saved with them. Copy them into "
     "one?"
 )
-WINDOWS_OF_ANOTHER_MOSAIC = Message(
-    "The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.", WARNING
-)
+WINDOWS_OF_ANOTHER_MOSAIC = Message("The layer {name} has windows of {older}, and the mosaic is {newer} now.", WARNING)
+SCAN_WITHOUT_MOSAIC = Message("The scan was stopped: its mosaic is not in the project any more.", WARNING)
 MOSAIC_IS_ANOTHER_NOW = Message(
     "{mosaic} has changed since the windows in {name} were measured and judged.", WARNING
 )

@@ -17,6 +17,7 @@ from qgis.PyQt.QtWidgets import QPushButton
 from ...imagery.errors import INFO, Message, SeamInspectorError
 from ...imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT
 from ...toolkit.background_tasks import BackgroundTasks, End, Outcome
+from ...toolkit.connections import Connections
 from ...toolkit.desk.message_bar import bar_level, write_log
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import layer_path
@@ -28,6 +29,8 @@ from ..measure.scan.whole_scan import JOURNAL_ENDING
 from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer
 from . import window_home
+from .messages import SCAN_WITHOUT_MOSAIC
+from .window_home import MADE_FOR
 
 if TYPE_CHECKING:
     from .session import Session
@@ -51,10 +54,12 @@ class MosaicScans(QObject):
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._tell)
         self._background.ended.connect(self._ended)
-        self._is_closed = False
         self._notes = 0  # warnings about the scan, all of which are in the log
         self.news: ScanNews | None = None  # how far the scan is; None while there is none
-        self._project.cleared.connect(self._forget)
+        self._mosaic = ""  # the layer that is scanned, while it is there
+        self._connections = Connections(
+            (self._project.cleared, self._forget), (self._project.layersWillBeRemoved, self._leave_layers),
+        )
 
     def why_not(self) -> str:
         """Why no scan can be started now; empty when one can."""
@@ -94,10 +99,7 @@ class MosaicScans(QObject):
 
     def close(self) -> None:
         """Stop, and let go of project and map; once is enough."""
-        if self._is_closed:
-            return
-        self._is_closed = True
-        self._project.cleared.disconnect(self._forget)
+        self._connections.close()
         self._background.close()
         self.news = None
 
@@ -157,7 +159,7 @@ class MosaicScans(QObject):
     def _ended(self, _key: object, outcome: Outcome) -> None:
         self.news = None
         if outcome.end is End.CANCELLED:
-            self._tell(messages.SCAN_STOPPED())
+            self._tell(messages.SCAN_STOPPED() if self._mosaic else SCAN_WITHOUT_MOSAIC())
         self.changed.emit()
 
     def _forget(self) -> None:
@@ -165,6 +167,11 @@ class MosaicScans(QObject):
         self._background.abandon()
         self.news = None
         self.changed.emit()
+
+    def _leave_layers(self, ids: list[str]) -> None:
+        if self._mosaic in ids:
+            self._mosaic = ""
+            self.stop()
 
     # What was found
 
@@ -190,10 +197,12 @@ class MosaicScans(QObject):
         for layer in (worst, seams, cells, picture):
             if layer.isValid():
                 keep_system(layer)
+                layer.setCustomProperty(MADE_FOR, self._mosaic)
                 self._project.addMapLayer(layer, False)
                 node = group.addLayer(layer)
                 node.setExpanded(layer in (seams, picture))
                 node.setItemVisibilityChecked(layer is not worst)  # fifty windows would hide what they are of
+        window_home.show_layers_of(self._project, self._session.inputs.mosaic)
         self.scanned.emit(done)
 
     def _note(self, notices: Iterable[Message]) -> None:

@@ -22,7 +22,7 @@ from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.connections import Connections
 from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.resources import icon_path
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..jobs import ScanOrder
 from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block, WindowRequest
@@ -34,7 +34,7 @@ from . import messages
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
 from .map.under_mouse import ClickedPiece, LiveWindows, SeamFinder
-from .window_home import WindowHome, WindowsMosaic
+from .window_home import WindowHome, WindowsMosaic, show_layers_of, windows_of
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults, WindowSteps, words_of
 from .windows.window_watch import WindowWatch
@@ -58,6 +58,7 @@ class Session(QObject):
     """The Message why nothing can be written to the windows; ``copy_to_file`` and ``leave_windows`` go on."""
     placesTaken = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
     stepped = pyqtSignal(int)  # feature id of a window that undo or redo has changed
+    begunAnew = pyqtSignal()  # other windows, or another mosaic, are looked at from now on
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -111,6 +112,7 @@ class Session(QObject):
             *((notifier, self._tell) for notifier in (
                 self._opening.failed, self._live.failed, self._block.notified, self._background.failed,
                 self._results.failed, self._mosaics.notified, self._new.notified, self._steps.failed,
+                self._watch.fieldMissed,
             )),
         ):  # fmt: skip
             signal.connect(slot)
@@ -131,11 +133,17 @@ class Session(QObject):
 
     def set_inputs(self, inputs: Inputs) -> None:
         """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
+        is_another = self.inputs.mosaic != inputs.mosaic
+        if is_another and self.inputs.windows == inputs.windows:
+            inputs = replace(inputs, windows=windows_of(self._project, inputs.mosaic) or inputs.windows)
         if self.inputs.windows != inputs.windows:
             self._results.write()  # into the layer they are of
         if self.inputs == inputs:
             self._block.inputs = inputs  # the same, but chosen by whoever sets them now
             return
+        if is_another:
+            self.begunAnew.emit()  # judging puts back what it took off the map
+            show_layers_of(self._project, inputs.mosaic)
         self._block.inputs = inputs
         save_inputs(self._project, inputs)
         self._layers_changed()
@@ -285,8 +293,12 @@ class Session(QObject):
             self._new.copy_file()
 
     def _take_layer(self, layer_id: str) -> None:
-        """Windows are those of this layer from now on."""
+        """Windows are those of this layer, made or opened for the mosaic, from now on."""
+        layer, mosaic = self._project.mapLayer(layer_id), self.mosaic_layer()
+        if layer is not None and mosaic is not None:
+            layer.setName(filled(tr("Windows of {mosaic}"), mosaic=mosaic.name()))
         self.set_inputs(replace(self.inputs, windows=layer_id))
+        self._mosaics.note()
 
     # Results, and work in the background
 
@@ -424,6 +436,7 @@ class Session(QObject):
         self._watch.watch(None)
         self._results.forget()
         self._steps.stack.clear()
+        self.begunAnew.emit()
 
 
 def _words_of_notes(rows: Sequence[WindowRecord], names: Iterable[str]) -> str:

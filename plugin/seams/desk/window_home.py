@@ -35,6 +35,30 @@ _LEFT_S = 60.0  # s; a file without windows may be one that is just being made
 
 
 FAILURES = "seam_inspector/failures"  # custom property of the failures of a decision
+MADE_FOR = "seam_inspector/made_for"  # custom property of all layers that the desk made: the mosaic layer they are of
+HIDDEN = "seam_inspector/hidden"  # custom property of what judging took off the map
+_WAITING = "seam_inspector/of_another_mosaic"  # custom property of what is off the map until its mosaic comes back
+_WINDOWS = "seam_inspector/windows"  # custom property of a mosaic layer: the window layer that it had last
+
+
+def windows_of(project: QgsProject, mosaic: str) -> str:
+    """The id of the window layer that a mosaic had last; empty where the project has none."""
+    layer = project.mapLayer(mosaic)
+    layer_id = "" if layer is None else str(layer.customProperty(_WINDOWS))
+    return layer_id if project.mapLayer(layer_id) is not None else ""
+
+
+def show_layers_of(project: QgsProject, mosaic: str) -> None:
+    """Take what the desk made of other mosaics off the map, and put back what it took off it of this one."""
+    for node in project.layerTreeRoot().findLayers():
+        made_for = node.layer().customProperty(MADE_FOR) if node.layer() is not None else None
+        if made_for == mosaic and node.customProperty(_WAITING):
+            node.removeCustomProperty(_WAITING)
+            node.setItemVisibilityChecked(True)
+        elif made_for and made_for != mosaic and (node.itemVisibilityChecked() or node.customProperty(HIDDEN)):
+            node.removeCustomProperty(HIDDEN)
+            node.setCustomProperty(_WAITING, True)
+            node.setItemVisibilityChecked(False)
 
 
 def pictures_beside(failures: Path) -> Path:
@@ -219,6 +243,7 @@ class WindowsMosaic(QObject):
             return
         self._known[layer.id()] = now
         self._block.doubt = None
+        self._mark(layer)
         if self._watch.path is not None:
             try:
                 window_file.note_mosaic(self._watch.path, now)
@@ -234,9 +259,13 @@ class WindowsMosaic(QObject):
             system = known_system(layer.crs())
             if not system.isValid() or not layer.crs().toWkt():  # else the map goes nowhere while keys judge
                 layer.setCrs(system if system.isValid() else layers.mosaic_crs(block.mosaic))
-        if layer is None or now is None or before is None or before == now:
+        if layer is None or now is None or before is None:
             return
-        holds_something = any(row.verdict or row.observer or row.observer_2 for row in self._watch.rows())
+        if before == now:
+            self._mark(layer)
+            return
+        rows, is_elsewhere = self._watch.rows(), before.path != now.path
+        holds_something = any(is_elsewhere or row.verdict or row.observer or row.observer_2 for row in rows)
         if before.content == now.content or not holds_something:
             self.take()
             return
@@ -244,12 +273,21 @@ class WindowsMosaic(QObject):
         if names[0] == names[1]:
             names = before.path, now.path
         message = messages.WINDOWS_OF_ANOTHER_MOSAIC(name=layer.name(), older=names[0], newer=names[1])
-        if before.path == now.path:
+        if not is_elsewhere:
             message = messages.MOSAIC_IS_ANOTHER_NOW(name=layer.name(), mosaic=names[1])
         self._block.doubt = message
         if (layer.id(), now) != self._asked:
             self._asked = layer.id(), now
             self.doubted.emit(message)
+
+    def _mark(self, layer: QgsVectorLayer) -> None:
+        """The windows come with their mosaic, and go with it."""
+        mosaic = self._block.mosaic_layer()
+        if mosaic is not None:
+            mosaic.setCustomProperty(_WINDOWS, layer.id())
+            if layer.customProperty(MADE_FOR) != mosaic.id():
+                layer.setCustomProperty(MADE_FOR, mosaic.id())
+                show_layers_of(QgsProject.instance(), mosaic.id())
 
     def _of_layer(self) -> KnownMosaic | None:
         """What its windows are known to be of."""

@@ -19,6 +19,7 @@ from ....imagery.grids import Extent
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layers import layer_path
 from ....toolkit.translation import tr
+from ...measure import messages as seams_messages
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
 from ...tables.window_layer import UNNUMBERED, WindowChange
@@ -32,6 +33,7 @@ class WindowWatch(QObject):
     selectionChanged = pyqtSignal()  # other windows are selected; never before the windows themselves are told
     replaced = pyqtSignal()  # the layer has another data source
 
+    fieldMissed = pyqtSignal(object)  # the Message on a field of the windows file that was removed or renamed
     rolledBack = pyqtSignal()  # edits that were made with QGIS's tools are no more, and the desk's among them
 
     def __init__(self, parent: QObject) -> None:
@@ -48,6 +50,7 @@ class WindowWatch(QObject):
         self._fids: dict[int, int] = {}  # by number
         self._unread: set[int] | None = None  # None: all of them
         self._unnumbered: set[int] = set()
+        self._missing: list[str] = []  # fields that were removed or renamed
         self._given: dict[int | Extent | None, int] = {}  # numbers of windows that have none, by feature id and place
         is_ours = self._layer is not None and window_layer.is_in_file(self._layer)
         self.path = Path(layer_path(self._layer)) if is_ours else None
@@ -229,7 +232,7 @@ class WindowWatch(QObject):
             (layer.featureDeleted, self._feature_deleted),
             (layer.attributeValueChanged, self._feature_changed),
             (layer.geometryChanged, self._feature_changed),
-            (layer.updatedFields, self._all_changed),
+            (layer.updatedFields, self._fields_changed),
             (layer.subsetStringChanged, self._all_changed),
             (layer.afterCommitChanges, self._all_changed),
             (layer.afterRollBack, self._was_rolled_back),
@@ -258,6 +261,15 @@ class WindowWatch(QObject):
     def _all_changed(self, *_: object) -> None:
         self._unread = None
         self._notifier.start()
+
+    def _fields_changed(self) -> None:
+        self._all_changed()
+        if self._layer is not None and self.path is not None:
+            there = self._layer.fields().names()
+            missing = [name for name in window_file.window_fields(0).names() if name not in there]
+            if missing and missing != self._missing:
+                self.fieldMissed.emit(seams_messages.WINDOWS_WITHOUT_FIELD(field=missing[0]))
+            self._missing = missing
 
     def _source_changed(self) -> None:
         if self._is_unmoved:

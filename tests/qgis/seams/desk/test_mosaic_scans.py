@@ -104,6 +104,15 @@ def test_closing_the_project_stops_the_scan(desk: ScanDesk) -> None:
     assert desk.messages == []
 
 
+def test_a_mosaic_that_is_removed_ends_its_scan_in_a_sentence(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    desk.scans.start()
+    desk.project.removeMapLayer(desk.rasters["ortho"].id())
+    wait_until(lambda: not desk.scans.is_at_work, "for the end")
+    settle(0.1)
+    assert desk.messages == ["The scan was stopped: its mosaic is not in the project any more."]
+
+
 def test_closing_the_desk_leaves_no_task_and_no_layer_of_its_own(desk: ScanDesk) -> None:
     desk.use("north", "south")
     desk.scans.start()

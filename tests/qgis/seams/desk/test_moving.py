@@ -68,7 +68,7 @@ def test_where_they_can_not_be_moved_they_stay_and_it_is_said(
         "seam_inspector.plugin.seams.desk.window_home.free_path", lambda *_: home / "no" / "folder.gpkg"
     )
     assert desk.project.write(str(home / "project.qgz"))
-    assert desk.messages[-1].startswith(f"The layer Windows stays in {tmp_path / 'windows.gpkg'}")
+    assert desk.messages[-1].startswith(f"The layer Windows of mosaic stays in {tmp_path / 'windows.gpkg'}")
     assert [row.verdict for row in desk.session.windows()] == ["significant"]
 
 

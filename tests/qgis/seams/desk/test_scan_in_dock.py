@@ -98,6 +98,12 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     assert dock.steps.undo.toolTip().startswith("Undo judging window 1")
     settle(0.1)
     assert judge_buttons(qgis_iface) == []
+    assert "Worst places" in dock.judge._progress.text()
+    dock.judging.action.trigger()
+    dock.session.leave_windows()
+    settle(0.1)
+    assert (dock.judging.is_on, dock.judge._progress.text(), dock.judge.sentence()) == (False, "", "")
+    assert qgis_iface.statusBarIface().method_calls[-1][0] == "clearMessage"
 
 
 def test_unloading_while_it_scans_leaves_nothing(

@@ -80,3 +80,37 @@ def test_windows_know_their_mosaic_when_they_are_opened_again(
     desk.project.addMapLayer(again)
     desk.set(desk.inputs(mosaic=desk.session.inputs.mosaic, windows=again.id()))
     assert len(asked) == 1
+
+
+def on_map(desk: Desk) -> dict[str, bool]:
+    root = desk.project.layerTreeRoot()
+    return {node.name(): node.itemVisibilityChecked() for node in root.findLayers() if "Windows" in node.name()}
+
+
+@pytest.mark.parametrize("is_inspected", [True, False])
+def test_a_mosaic_that_comes_back_brings_its_windows(
+    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message], is_inspected: bool
+) -> None:
+    first, before = desk.layer(), said(desk)
+    other_mosaic(desk, scene, tmp_path)
+    assert on_map(desk) == {"Windows of mosaic": False}
+    desk.session.leave_windows()
+    second = desk.session.inputs.mosaic
+    desk.session.add_window(SHARP_WINDOW) if is_inspected else desk.session.place_windows()
+    desk.wait()
+    count = len(desk.rows())
+    assert on_map(desk) == {"Windows of mosaic": False, "Windows of another": True}
+    desk.set(desk.inputs())
+    assert (desk.layer(), said(desk)) == (first, before)
+    assert on_map(desk) == {"Windows of mosaic": True, "Windows of another": False}
+    desk.set(desk.inputs(mosaic=second))
+    assert (desk.layer().name(), len(desk.rows())) == ("Windows of another", count)
+    assert len(asked) == 1
+
+
+def test_a_field_that_was_renamed_is_told(desk: Desk, asked: list[Message]) -> None:
+    windows = desk.layer()
+    assert windows.startEditing()
+    windows.renameAttribute(windows.fields().indexOf("verdict"), "werdykt")
+    assert windows.commitChanges()
+    assert [text for text in desk.messages if "'verdict'" in text] == desk.messages[-1:]

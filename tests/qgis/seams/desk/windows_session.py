@@ -28,6 +28,7 @@ class WindowsSession(QObject):
     resultArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
+    begunAnew = pyqtSignal()
 
     def __init__(self, rows: list[WindowRecord] | None = None) -> None:
         super().__init__()

@@ -194,6 +194,8 @@ def test_the_project_keeps_how_windows_are_judged(
     assert project.write(path)
     session.select([])
     project.clear()
+    session.begunAnew.emit()
     assert judging.settings == JudgingSettings()
     assert project.read(path)
+    session.begunAnew.emit()
     assert judging.settings == JudgingSettings(2, False)
