@@ -137,8 +137,11 @@ class ToolDock(QgsDockWidget):
 
     def _show_markup(self, text: str, level: int, more: str = "") -> None:
         """``more``: the rest of it, behind a button. A title would take half of the room on a small screen."""
-        words = (text, more) if more else (text,)
-        self._iface.messageBar().pushMessage("", *words, Qgis.MessageLevel(level), _MESSAGE_SECONDS)
+        bar, rank = self._iface.messageBar(), Qgis.MessageLevel(level)
+        if more:
+            bar.pushMessage("", text, more, rank, _MESSAGE_SECONDS)
+        else:
+            bar.pushMessage("", text, rank, _MESSAGE_SECONDS)
 
     def _take_off(self, text: str) -> None:
         """Take a message off the bar, however much of it is shown: it is not so any more, or comes again."""

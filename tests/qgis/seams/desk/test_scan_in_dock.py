@@ -103,7 +103,8 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     dock.session.leave_windows()
     settle(0.1)
     assert (dock.judging.is_on, dock.judge._progress.text(), dock.judge.sentence()) == (False, "", "")
-    assert qgis_iface.statusBarIface().method_calls[-1][0] == "clearMessage"
+    status: Any = qgis_iface.statusBarIface()
+    assert status.method_calls[-1][0] == "clearMessage"
 
 
 def test_unloading_while_it_scans_leaves_nothing(
