@@ -11266,12 +11266,12 @@
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="22"/>
         <source>The layer {name} has windows of {older}, and the mosaic is {newer} now.</source>
-        <translation>Warstwa {name} zawiera okna mozaiki {older}, a mozaiką jest teraz {newer}.</translation>
+        <translation>Warstwa {name} zawiera okna ortofotomapy {older}, a wybrana jest teraz ortofotomapa {newer}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="23"/>
         <source>The scan was stopped: its mosaic is not in the project any more.</source>
-        <translation>Zatrzymano badanie: jego mozaiki nie ma już w projekcie.</translation>
+        <translation>Zatrzymano badanie: badanej ortofotomapy nie ma już w projekcie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/session.py" line="299"/>
