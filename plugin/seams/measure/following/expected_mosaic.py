@@ -5,42 +5,33 @@ linear filter. What the mosaic lacks beside it was lost at the seams.
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from ..compared_image import ComparedImage
-from ..seam_cells import UNKNOWN, is_one_of, present
+from ..seam_cells import UNKNOWN, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border, widened
 from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
-from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, levelled_by, square_means
+from .levelling import SQUARE_PX, Levelled, levelled, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
-from .mixed_ground import MixedGround, mixed_ground
 from .placed_sources import PlacedSources
 from .source_filters import (
     FEWEST_PIXELS,
-    SAMPLE,
     UNFILTERED,
     Filters,
     cut_of,
     filtered,
     find_filters,
-    share_left,
     through_filter,
 )
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
-MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
-MOST_LEFT_OF_THAT = 0.9  # where both mixed explain it: what codecs leave over of either is left over by both
-MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
-MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
-MOST_LEFT_OF_THIRD = 0.05  # of what seemed to be a smaller part of a third: the two mixed explain it
-
 _ROUNDS = 3
 _SETTLED = 0.005  # of the pixels: what changes less is settled
 _UNSURE_PX = 12  # from a border that is not settled
@@ -118,7 +109,7 @@ def expected_mosaic(
     ``filters``: what came over the sources as they are given, where that is known from more ground than there is here.
     """
     mosaic, cutting = sources.mosaic.plane, _Cutting(sources, closeness)
-    cut = cutting.learned() if filters is None or sources.moves else cutting.by_filters(filters)
+    cut = cutting.cut(None if sources.moves else filters)
     labels, filters = cut.labels, cut.filters
     toned = {i: source.plane for i, source in cut.in_tone.items()}
     shown, shares = {i: filters.applied(i, plane) for i, plane in toned.items()}, None
@@ -168,8 +159,6 @@ class _Cut:
     in_tone: Mapping[int, Levelled]
     """Planes that any pixel follows, in the mosaic's grey values."""
     filters: Filters
-    left_over: float
-    """Share of the mosaic's fine detail that they leave over."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,7 +178,24 @@ class _Cutting:
         sources = self.sources  # self would stay alive
         return compressed_sides(self.was_mosaic_compressed, sources.planes.__getitem__, sources.following.followed)
 
-    def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
+    def cut(self, filters: Filters | None) -> _Cut:
+        """The cut by what is known of what came over the sources, else by what is learned here of that."""
+        likely, known = self._most_likely(filters), self.sources.known
+        is_unknown = likely.unexplained & (not self.closeness.has_warped)
+        labels = np.where(is_unknown, np.uint8(UNKNOWN), likely.labels)
+        labels = labels if known is None else np.where(known == UNKNOWN, labels, known)
+        mixed, clear = self.sources.following.mixed, self.sources.clear
+        unmixed = _sure(np.where(mixed, np.uint8(UNKNOWN), labels), clear)
+        # A part of a block is too small to tell tones where sources may be mixed.
+        sure = clear if self.closeness.patch_px else unmixed
+        planes = dict(enumerate(self.sources.planes))
+        in_tone = _in_tone(self.sources.mosaic.plane, planes, labels, sure, self.closeness.patch_px)
+        if filters is None:
+            mosaic, *fine = self.sources.fine
+            filters = find_filters(mosaic, dict(enumerate(fine)), in_tone, labels, _sure(labels, unmixed))
+        return _Cut(labels, in_tone, filters)
+
+    def _most_likely(self, filters: Filters | None) -> LikelySource:
         """The most likely plane of every pixel, of those that are followed at first.
 
         Without ``filters`` what came over each is learned where it is followed, and as that is told better with it,
@@ -197,7 +203,7 @@ class _Cutting:
         """
         first = self.sources.following
         mosaic, *planes = self.sources.fine
-        fine = {i: planes[i] for i in sorted(first.followed) if i not in left_out}
+        fine = {i: planes[i] for i in sorted(first.followed)}
         labels, clear = first.labels, self.sources.clear
         if filters is not None:
             return self._likely({i: filters.applied(i, plane) for i, plane in fine.items()}, labels, clear)
@@ -217,98 +223,6 @@ class _Cutting:
         sources = self.sources
         fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed, sources.interpolated)
         return likely_source(fine, labels, clear, self.closeness.sampling)
-
-    def cut(self, likely: LikelySource, filters: Filters, strange: np.ndarray | bool = True) -> _Cut:
-        """Likely labels, and those that are known; ``strange``: where no source may explain the mosaic."""
-        unexplained, known = likely.unexplained & strange, self.sources.known
-        is_unknown = unexplained & (not self.closeness.has_warped)
-        labels = np.where(is_unknown, np.uint8(UNKNOWN), likely.labels)
-        labels = labels if known is None else np.where(known == UNKNOWN, labels, known)
-        # A part of a block is too small to tell tones where sources may be mixed.
-        sure = self.sources.clear if self.closeness.patch_px else self.unmixed(labels)
-        planes = dict(enumerate(self.sources.planes))
-        in_tone = _in_tone(self.sources.mosaic.plane, planes, labels, sure, self.closeness.patch_px)
-        return _Cut(labels, in_tone, filters, likely.left_over)
-
-    def unmixed(self, labels: np.ndarray) -> np.ndarray:
-        """Pixels where one source is followed for sure, or at least without another, (rows, columns) bool."""
-        return _sure(np.where(self.sources.following.mixed, np.uint8(UNKNOWN), labels), self.sources.clear)
-
-    def learned(self) -> _Cut:
-        """The cut by what is learned here of what came over the sources."""
-        cut = self.cut(self.likely(None), UNFILTERED)
-        unmixed = self.unmixed(cut.labels)
-        anywhere = _sure(cut.labels, unmixed)
-        mosaic, fine = self.sources.fine[0], dict(enumerate(self.sources.fine[1:]))
-        cut = replace(cut, filters=find_filters(mosaic, fine, cut.in_tone, cut.labels, anywhere))
-        made = self._made(cut)
-        return self._mixed(cut, made) or cut
-
-    def by_filters(self, filters: Filters) -> _Cut:
-        """The cut by what is known of what came over the sources."""
-        return self.cut(self.likely(filters), filters)
-
-    def _mixed(self, alone: _Cut, made: np.ndarray) -> _Cut | None:
-        """The cut by what a mixture of two sources nearly everywhere says came over them; None for other windows, and
-        where one by one, ``alone``, they explain far more. ``made`` of them: a ``SAMPLE``."""
-        fine, first = self.sources.fine, self.sources.following.followed
-        most_first = sorted(present(alone.labels), key=lambda i: -np.count_nonzero(alone.labels == i))
-        unmixed = {i for i in most_first if share_left(fine[0], made, alone.labels, [i]) < MIN_LEFT_UNMIXED}
-        pair = [i for i in (*most_first, *(i for i in first if i not in most_first)) if i not in unmixed][:2]
-        few = [
-            i for i in most_first
-            if i not in pair and i not in unmixed and (alone.labels == i).mean() < MIN_THIRD_SHARE
-        ]
-        mixture = self._mixed_ground(alone, made, pair, few) if len(pair) == 2 else None
-        if mixture is None:
-            return None
-        ground, gains = mixture
-        # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
-        made = ground.mosaic[SAMPLE]
-        chance = {i for i in few if share_left(fine[0], made, alone.labels, [i]) <= MOST_LEFT_OF_THIRD}
-        kept = {*pair, *present(alone.labels)} - chance
-        filters = alone.filters.with_taps(dict(zip(pair, ground.taps)), range(len(self.sources.planes)))
-        likely = self.likely(filters, [i for i in first if i not in kept])
-        if likely.left_over > MOST_LEFT_BY_MIXED * alone.left_over:
-            return None
-        cut = self.cut(likely, filters, alone.labels == UNKNOWN)
-        means, planes = square_means(self.sources.mosaic.plane), self.sources.planes
-        by_mixture = {
-            i: levelled_by(means, planes[i], cut.labels == i, gain)
-            for i, gain in zip(pair, gains) if i in alone.in_tone and i in cut.in_tone
-        }
-        return replace(cut, in_tone={**cut.in_tone, **by_mixture})
-
-    def _mixed_ground(
-        self, alone: _Cut, made: np.ndarray, pair: Sequence[int], few: Sequence[int]
-    ) -> tuple[MixedGround, list[np.ndarray]] | None:
-        """The ground where two sources mixed nearly everywhere explain more than each on its own side, and their
-        gains; None for other windows."""
-        mosaic, *fine = self.sources.fine
-        where = is_one_of(alone.labels, (*pair, *few, UNKNOWN))
-        for i in pair:
-            where &= self.sources.valid.get(i, True)
-        inside = np.where(where, alone.labels, np.uint8(UNKNOWN))
-        left_alone = share_left(mosaic, made, inside, pair)
-        if left_alone < MIN_LEFT_UNMIXED:
-            return None
-        gains = [alone.in_tone[i].gain if i in alone.in_tone else np.float32(1) for i in pair]
-        gains = evened_gains([self.sources.planes[i] for i in pair], gains, where)
-        images = [gain * fine[i] for i, gain in zip(pair, gains)]
-        taps = alone.filters.taps
-        shown = [alone.filters.placed(i, image) if i in taps else image for i, image in zip(pair, images)]
-        ground = mixed_ground(mosaic, images, shown, where)
-        if ground is None or share_left(mosaic, ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left_alone:
-            return None
-        return ground, [ground.gain * gain for gain in gains]
-
-    def _made(self, cut: _Cut) -> np.ndarray:
-        """What the sources make of the mosaic's fine detail, each on its own side, a ``SAMPLE``."""
-        mosaic, *fine = self.sources.fine
-        place = np.s_[:] if cut.filters.taps else SAMPLE  # a filter needs what is around
-        shown = {i: cut.filters.applied(i, source.gain[place] * fine[i][place]) for i, source in cut.in_tone.items()}
-        made = cut_of(mosaic[place], shown, cut.labels[place])
-        return made[SAMPLE] if cut.filters.taps else made
 
 
 def _sure(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:

@@ -53,20 +53,9 @@ def levelled(
     if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
         where = square_means(followed) > _MIN_FOLLOWED
     gains = gain_field(mosaic_means, square_means(source), where, patch)
-    return _with_bias(mosaic_means, source, followed, gains, to_pixels(gains, source.shape))
-
-
-def levelled_by(mosaic_means: np.ndarray, source: np.ndarray, followed: np.ndarray, gain: np.ndarray) -> Levelled:
-    """A source's plane in the mosaic's grey values where its ``gain``, (rows, columns), is known."""
-    return _with_bias(mosaic_means, source, followed, square_means(gain), gain)
-
-
-def _with_bias(
-    mosaic_means: np.ndarray, source: np.ndarray, followed: np.ndarray, gains: np.ndarray, gain: np.ndarray
-) -> Levelled:
     # A square that two sources share tells neither's tone.
     bias = _spread_out(mosaic_means - gains * square_means(source), square_means(followed))
-    plane = to_pixels(bias, source.shape)
+    plane, gain = to_pixels(bias, source.shape), to_pixels(gains, source.shape)
     plane += gain * source
     return Levelled(plane, gain)
 
@@ -75,24 +64,6 @@ def square_means(plane: np.ndarray) -> np.ndarray:
     """Means of the squares of 8 px of a plane (rows, columns), whose edge continues where the last ones stick out."""
     beyond = [-length % 2**LEVELS for length in plane.shape]
     return coarse_means(np.pad(plane, [(0, by) for by in beyond], mode="edge") if any(beyond) else plane, LEVELS)
-
-
-def evened_gains(
-    planes: Sequence[np.ndarray], gains: Sequence[np.ndarray | np.float32], where: np.ndarray
-) -> list[np.ndarray | np.float32]:
-    """Gains with which images (rows, columns) of the same ground have the same contrast in squares of 8 px.
-
-    What a mosaic of their mean shows of either is less than it has, and nobody knows how much less.
-    """
-    squares = square_means(where) > _MIN_FOLLOWED
-    if np.count_nonzero(squares) < _FEWEST_SQUARES:
-        return list(gains)
-    means = [square_means(np.asarray(gain * plane, np.float32)) for plane, gain in zip(planes, gains)]
-    contrasts = [float(off_near[squares].std()) for off_near in _off_near(means, squares)]
-    if min(contrasts) <= 0:
-        return list(gains)
-    mean = float(np.exp(np.mean(np.log(contrasts))))
-    return [np.float32(mean / contrast) * gain for gain, contrast in zip(gains, contrasts)]
 
 
 def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tuple[float, float]:

@@ -7,13 +7,13 @@ if nothing had happened at its seams.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ....imagery.shifts import shifted
 from ....imagery.wavelets import correlated, product
-from ..seam_cells import UNKNOWN, is_one_of, present
+from ..seam_cells import UNKNOWN, present
 from .border import BORDER_PX
 from .boxes import enlarged, in_squares, near_border
 from .levelling import Levelled
@@ -102,11 +102,6 @@ class Filters:
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
 
-    def with_taps(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
-        """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
-        separate = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
-        return replace(self, taps=separate, came_over_cuts=False)
-
     def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
         """A source's plane as sharp as it was, only moved: what came over a whole mosaic can't be told from what came
         over its sources, but where they lie in it is what they were mixed by."""
@@ -176,13 +171,6 @@ def find_filters(
     if _is_a_multiple(mosaic[SAMPLE], reference(SAMPLE), labels[SAMPLE], sure[SAMPLE]):
         return UNFILTERED
     return _fitted_filters(mosaic, reference(np.s_[:]), labels, sure)
-
-
-def share_left(mosaic: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequence[int]) -> float:
-    """Share of the mosaic's fine detail that some sources leave over, by what was made of them, a ``SAMPLE``."""
-    sample, plane = _chosen(is_one_of(labels[SAMPLE], of), mosaic[SAMPLE], made)
-    total = float(sample @ sample)
-    return float((sample - plane) @ (sample - plane)) / total if total > 0 else 0.0
 
 
 def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:

@@ -4,9 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.following import expected_mosaic as expecting
 from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
-from seam_inspector.plugin.seams.measure.following.mixed_ground import MixedGround
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import cut, feather
@@ -81,17 +79,6 @@ def test_a_source_that_was_blurred_before_the_cut_has_a_filter_of_its_own(source
     for number in (0, 1, 2):
         inner = ndimage.distance_transform_edt(np.equal(LABELS, number)) > 8
         assert energy(expected.plane, inner) == pytest.approx(energy(mosaic, inner), rel=0.06), number
-
-
-def test_a_mixture_by_which_sources_explain_far_less_than_one_by_one_is_none(
-    sources: list[np.ndarray], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Filters of two images have 50 taps, which explain much; a sound cut of resampled images read 0.47 by such."""
-    wild = 3 * np.random.default_rng(1).standard_normal((2, 5, 5), np.float32)
-    monkeypatch.setattr(expecting, "MIN_LEFT_UNMIXED", 0.0)
-    monkeypatch.setattr(expecting, "mixed_ground", lambda mosaic, *_: MixedGround(1.0, tuple(wild), mosaic))
-    mosaic = OPERATIONS["half a pixel"](grey(cut(LABELS, sources))).astype(np.float32)
-    assert (expected_of(mosaic, [grey(source) for source in sources]).labels == LABELS).mean() > 0.98
 
 
 def test_balanced_sources_each_have_their_tone(sources: list[np.ndarray]) -> None:
