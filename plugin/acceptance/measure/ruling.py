@@ -2,9 +2,9 @@
 
 A rule is kept or broken where nothing that is not known could turn it round:
 
-- Of metres that were not measured nobody knows: a share is too large only where it would be so with all of them sound,
-  and kept where it would be with all of them lost. Those whose intervals are too wide to count fail as likely as these
-  say. Ground without detail has nothing to lose and is no part of any share.
+- Of metres beside which orthoimages lack pixels nobody knows, nor of others that are more than the rules allow: a share
+  is too large only with all of them sound, and kept with all of them lost. Those whose intervals are too wide to count
+  fail as likely as these say. Ground without detail has nothing to lose and is no part of any share.
 - Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
   end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
 - A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open. So does a
@@ -127,9 +127,8 @@ class Ruling:
             return messages.SHARE_FAILED(value=shown, limit=limit) if rule.check == FAILED_SHARE else (
                 messages.RUN_FAILED(value=shown, limit=limit)
             )
-        blank_m = self._blank_m()
-        if rule.check == FAILED_SHARE and blank_m > self._within():
-            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=blank_m, high=high)
+        if rule.check == FAILED_SHARE and self._blank_m() > self._within():
+            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=self._blank_m(), high=high)
         if rule.check == FAILED_SHARE:
             return messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high)
         if not rule.passes(value):

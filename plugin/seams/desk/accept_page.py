@@ -245,7 +245,7 @@ class AcceptPage(QDialog):
         has_scan = any(map(self._is_chosen, range(len(self._scans))))
         self.decider.setEnabled(has_scan and not is_busy)
         self._progress.setVisible(is_busy)
-        for box in self._boxes:
+        for box in self.findChildren(QGroupBox):
             box.setEnabled(not is_busy)
         for button, name in ((self._report, "REPORT"), (self._failures, "DEFECTS"), (self.saver, "REPORT")):
             button.setVisible(bool(self.files))
@@ -308,14 +308,12 @@ class AcceptPage(QDialog):
             hint.setWordWrap(True)
             decided_on.addWidget(hint)
         layout = QVBoxLayout(self)
-        self._boxes: list[QGroupBox] = []
         for title, part in (
             (tr("Delivery"), head), (tr("Limits"), limits), (tr("Scans and their sheets"), decided_on)
         ):
             box = QGroupBox(title, self)
             box.setLayout(part)
             layout.addWidget(box)
-            self._boxes.append(box)
         self.decider = self._button(tr("Decide"), tr("Decides in the background, by these limits."), self.decide)
         self.decider.setDefault(True)
         self._progress = QProgressBar(self)

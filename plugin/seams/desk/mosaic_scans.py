@@ -30,7 +30,6 @@ from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer
 from . import window_home
 from .messages import SCAN_WITHOUT_MOSAIC
-from .window_home import MADE_FOR
 
 if TYPE_CHECKING:
     from .session import Session
@@ -119,8 +118,11 @@ class MosaicScans(QObject):
         by_kept = QgsFeatureRequest().setFilterExpression(f"level = '{PIECE}' and kept_1 is not null")
         count = hidden = 0
         for piece in seams.getFeatures(by_kept.addOrderBy("kept_1")):
-            if (piece["seam_id"], round(piece["station"] + piece["length"] / 2, 2)) in places:
+            if (place := (piece["seam_id"], round(piece["station"] + piece["length"] / 2, 2))) in places:
                 count = hidden
+                places.remove(place)
+                if not places:  # thousands of sound pieces may follow
+                    break
             elif not shown.intersects(piece.geometry()):
                 hidden += 1
         return count
@@ -197,7 +199,7 @@ class MosaicScans(QObject):
         for layer in (worst, seams, cells, picture):
             if layer.isValid():
                 keep_system(layer)
-                layer.setCustomProperty(MADE_FOR, self._mosaic)
+                layer.setCustomProperty(window_home.MADE_FOR, self._mosaic)
                 self._project.addMapLayer(layer, False)
                 node = group.addLayer(layer)
                 node.setExpanded(layer in (seams, picture))
