@@ -10,7 +10,7 @@ import numpy as np
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
+from ..blocks.block_grid import BLOCK_PX, UNITS, BlockKey, blocks_near, place_of, rectangles, units_along
 from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
@@ -96,7 +96,8 @@ class LoneScanning:
         self._request, self._mosaic, self._pieces = request, request.mosaic, request.pieces
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks
-        self._along = SeamSquares(request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
+        self._along = units_along(request.seams, self._blocks, int(REACH_PX) + _CELLS_BESIDE_PX)
+        self._keys = blocks_near(self._along, self._blocks)
         self._scan = lru_cache(_HELD)(partial(held, LONE_LOOK, journal.files))
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
@@ -104,11 +105,11 @@ class LoneScanning:
         def block(key: BlockKey) -> BlockRequest:
             window = self._blocks.window(key)
             return BlockRequest(
-                self._mosaic, (), key, window, self._request.settings, self._along.dense_in(key),
+                self._mosaic, (), key, window, self._request.settings, self._along[place_of(key, UNITS)],
                 pieces=self._index.near(window, REACH_PX + MARGIN_PX),
             )
 
-        yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._along.met, block)
+        yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._keys, block)
 
     def result(self, loss_path: str, workers: Workers) -> ScanResult:
         """Pieces, worst windows and, where a path is given, the picture of losses. Raises CancelledError.
@@ -158,7 +159,7 @@ class LoneScanning:
         """What each piece kept, in the cells of its strip."""
         kept = np.array([NODATA if piece.least_kept is None else piece.least_kept for piece in judged], np.float32)
         side = BLOCK_PX // cell_px
-        for key in self._along.met if len(kept) else ():
+        for key in self._keys if len(kept) else ():
             window = self._blocks.window(key)
             near = self._index.near(window, BLOCK_PX // side)
             if not len(near):

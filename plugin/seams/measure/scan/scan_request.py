@@ -17,7 +17,7 @@ from ....imagery.lines import vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
-from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
+from ..blocks.block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey, blocks_near, place_of, units_along
 from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -119,17 +119,15 @@ class ScanRequest:
         return Footprints(self.sources)
 
     @cached_property
-    def seam_squares(self) -> SeamSquares | None:
-        """What the seamlines call for; None without them."""
-        if self.given is None:
-            return None
-        corridor_px = self.settings.corridor_m / self.mosaic.ground_sample_distance
-        return SeamSquares(self.seams, self.blocks, corridor_px)
+    def _along_seams(self) -> np.ndarray | None:
+        """Units that the given seams call for, (rows, columns) bool of all blocks; None without them."""
+        return None if self.given is None else units_along(self.seams, self.blocks)
 
     def keys(self) -> list[BlockKey]:
-        """Keys of the blocks that are read."""
-        squares = self.seam_squares
-        return [key for key in self.blocks if squares is None or squares.is_read(key)]
+        """Keys of the blocks that are read: all of them, or those in the corridor of given seams."""
+        reach = self.settings.corridor_m / self.mosaic.ground_sample_distance / UNIT_PX
+        along = self._along_seams
+        return list(self.blocks) if along is None or not reach else blocks_near(along, self.blocks, reach)
 
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
@@ -142,8 +140,7 @@ class ScanRequest:
         numbers = sorted(covering[:UNKNOWN])
         refs = tuple(self.sources[number].ref for number in numbers)
         request = BlockRequest(self.mosaic, refs, key, window, self.settings, numbers=tuple(numbers))
-        squares = self.seam_squares
-        if squares is None:
+        if self._along_seams is None:
             return request
         near, named = self._index.near(window, REACH_PX), self.named[0]
 
@@ -153,7 +150,8 @@ class ScanRequest:
 
         pieces = ((number, self.pieces[number]) for number in near.numbers.tolist())
         beside = {number: (place(piece.left), place(piece.right)) for number, piece in pieces}
-        return replace(request, along_seams=squares.dense_in(key), pieces=near, beside=beside)
+        along_seams = self._along_seams[place_of(key, UNITS)]
+        return replace(request, along_seams=along_seams, pieces=near, beside=beside)
 
     @cached_property
     def _index(self) -> PieceIndex:

@@ -1,14 +1,19 @@
 """Parts of a mosaic that its seamlines call for."""
 from __future__ import annotations
 
-import tracemalloc
-
 import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BESIDE_PX, UNIT_PX, UNITS, BlockGrid, SeamSquares
+from seam_inspector.plugin.seams.measure.blocks.block_grid import (
+    BESIDE_PX,
+    UNIT_PX,
+    UNITS,
+    BlockGrid,
+    blocks_near,
+    units_along,
+)
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import SidedSeam
 
 from tests.examples import at_most
@@ -48,13 +53,6 @@ def near(places: list[tuple[float, float]], reach_px: float) -> np.ndarray:
     return squares
 
 
-def dense_of(squares: SeamSquares, blocks: BlockGrid = BLOCKS) -> np.ndarray:
-    """Dense units of the whole mosaic, (rows, columns) bool."""
-    rows = [np.concatenate([squares.dense_in((row, column)) for column in range(blocks.columns)], axis=1)
-            for row in range(blocks.rows)]
-    return np.concatenate(rows)
-
-
 place = st.tuples(st.integers(-300, COLUMNS + 300), st.integers(-300, ROWS + 300))
 
 
@@ -63,28 +61,13 @@ place = st.tuples(st.integers(-300, COLUMNS + 300), st.integers(-300, ROWS + 300
 @example([(0, 2511), (29, 2549)])  # beyond the edge, where a unit of few pixels begins
 @at_most(25)
 def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float, float]]) -> None:
-    dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
+    dense = units_along([seam(*places)], BLOCKS)
     assert dense[near(places, BESIDE_PX - SPARE_PX)].all()
     assert not dense[~near(places, BESIDE_PX + 1)].any()
 
 
-@pytest.mark.release
-def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
-    """A country's, of 10^12 pixels."""
-    side = 1_000_000
-    country = BlockGrid(Grid(0.0, 0.0, 1.0, 1.0, side, side))
-    line = SidedSeam(np.array([[100.0, -100.0], [side - 100.0, -100.0], [side - 100.0, -90_000.0]]), None, None)
-    tracemalloc.start()
-    squares = SeamSquares([line], country, 10_000.0)
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert peak < 100e6
-    assert [squares.is_read((row, 200)) for row in (0, 4, 5, 400)] == [True, True, False, False]
-    assert [squares.is_read((40, column)) for column in (482, 483, 488)] == [False, True, True]
-    assert not squares.dense_in((400, 200)).any()
-
-
 def test_a_corridor_leaves_out_blocks_that_no_seam_is_near_to() -> None:
-    squares = SeamSquares([seam((100, 100), (100, 1900))], BLOCKS, corridor_px=200.0)
-    assert [key for key in BLOCKS if squares.is_read(key)] == [(0, 0), (1, 0)]
-    assert not SeamSquares([seam((100, 100), (100, 1200))], BLOCKS, 200.0).is_read((1, 0))
+    reach = 200.0 / UNIT_PX
+    assert blocks_near(units_along([seam((100, 100), (100, 1900))], BLOCKS), BLOCKS, reach) == [(0, 0), (1, 0)]
+    assert (1, 0) not in blocks_near(units_along([seam((100, 100), (100, 1200))], BLOCKS), BLOCKS, reach)
+    assert blocks_near(units_along([seam((100, 100), (100, 1900))], BLOCKS), BLOCKS) == [(0, 0)]
