@@ -19,7 +19,6 @@ from ..measure.limits import COSINE, RAMPS
 from .block_parameters import check_sources, gathered_sources, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.judgement.feather_prediction import Seamlines
     from ..measure.planning.loss_forecast import ForecastRequest, ForecastSettings
     from ..measure.source_images import Source
 
@@ -144,21 +143,20 @@ class PredictLoss(SeamInspectorAlgorithm):
 
         return ForecastSettings(*run.decomposition(), run.real(WIDTH), run.text(RAMP) or COSINE)
 
-    def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> Seamlines | None:
+    def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> tuple[bytes, ...] | None:
         """Seamlines that are known, in the windows' reference system; None where the parameter is not given."""
         from ...toolkit import layers
-        from ..measure.judgement.feather_prediction import Seamlines
 
         if not run.parameters.get(SEAMLINES):
             return None
         lines = run.source(SEAMLINES)
         transform = run.transform(lines, crs)
         geometries = (layers.line_wkb(feature, transform) for feature in layers.features(lines))
-        return Seamlines(wkb for wkb in geometries if wkb is not None)
+        return tuple(wkb for wkb in geometries if wkb is not None)
 
     @staticmethod
     def _requests(
-        drawn: WindowFeatures, sources: list[Source], seamlines: Seamlines | None, wkt: str,
+        drawn: WindowFeatures, sources: list[Source], seamlines: tuple[bytes, ...] | None, wkt: str,
         settings: ForecastSettings,
     ) -> Iterator[ForecastRequest]:
         from ..measure.planning.loss_forecast import ForecastRequest
@@ -167,5 +165,4 @@ class PredictLoss(SeamInspectorAlgorithm):
         for window in drawn.windows():
             extent = window.extent
             covering = () if extent is None else sources_over(sources, extent)
-            lines = None if extent is None or seamlines is None else seamlines.over(extent)
-            yield ForecastRequest(window.window_id, covering, extent, wkt, settings, lines, window.reason)
+            yield ForecastRequest(window.window_id, covering, extent, wkt, settings, seamlines, window.reason)

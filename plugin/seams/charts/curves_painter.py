@@ -20,7 +20,7 @@ from ...toolkit.translation import filled, formatted, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 
 if TYPE_CHECKING:
-    from ..measure.window.window_result import WindowCurves
+    from ..measure.window.window_result import WindowResult
 
 
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
@@ -78,7 +78,7 @@ def share_range(chart: Chart) -> tuple[float, float]:
     return round_below(lowest), 1.25
 
 
-def window_curves(result: WindowCurves, band: str, reference: str = REFERENCES[0]) -> list[ChartCurve]:
+def window_curves(result: WindowResult, band: str, reference: str = REFERENCES[0]) -> list[ChartCurve]:
     """The curves of one window and band, the mosaic's first, the sources' composite last.
 
     ``reference``: what the verdict is taken against, as in ``Settings``.

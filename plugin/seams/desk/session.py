@@ -26,7 +26,7 @@ from ...toolkit.translation import filled, sentence, tr
 from ..jobs import ScanOrder
 from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block, WindowRequest
-from ..measure.window.window_result import WindowCurves, WindowResult
+from ..measure.window.window_result import WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
 from ..tables.window_layer import style_once
@@ -337,7 +337,7 @@ class Session(QObject):
         row = self.row(fid)
         return self._results.result(row.window_id) if row is not None else None
 
-    def clips(self, fid: int) -> WindowCurves | None:
+    def clips(self, fid: int) -> WindowResult | None:
         """The curves of a window, which ``curvesArrived`` tells before the rest; its result once that is there."""
         row = self.row(fid)
         return self._results.clips(row.window_id) if row is not None else None

@@ -189,10 +189,6 @@ def test_equal_images_keep_all_whatever_step_of_tone_is_between_them(ramp: str) 
 WINDOW = PixelWindow(64, 32, 128, 96)
 
 
-def wkb(text: str) -> bytes:
-    return bytes(ogr.CreateGeometryFromWkt(text).ExportToWkb())
-
-
 def vertices(mosaic: Raster, *places: tuple[float, float]) -> str:
     """Places in px from the window's upper left corner."""
     xmin, _, _, ymax = mosaic.grid.window_extent(WINDOW)
@@ -205,7 +201,7 @@ def line(mosaic: Raster, *places: tuple[float, float]) -> str:
 
 
 def drawn(mosaic: Raster, *lines: str) -> np.ndarray | None:
-    return drawn_seam([wkb(line) for line in lines], mosaic.wkt, mosaic, WINDOW, (0.1, 0.1))
+    return drawn_seam(map(ogr.CreateGeometryFromWkt, lines), mosaic.wkt, mosaic, WINDOW, (0.1, 0.1))
 
 
 def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
@@ -220,7 +216,7 @@ def test_lines_in_another_reference_system(mosaic: Raster) -> None:
     degrees = wkt(4326)
     moved = geometry_on(ogr.CreateGeometryFromWkt(drawn_line), mosaic.wkt, degrees)
     assert abs(moved.GetX(0)) < 180
-    distance = drawn_seam([bytes(moved.ExportToWkb())], degrees, mosaic, WINDOW, (0.1, 0.1))
+    distance = drawn_seam([moved], degrees, mosaic, WINDOW, (0.1, 0.1))
     assert distance is not None
     same = drawn(mosaic, drawn_line)
     assert same is not None
@@ -230,8 +226,8 @@ def test_lines_in_another_reference_system(mosaic: Raster) -> None:
 def test_widths_are_metres_on_the_ground() -> None:
     metres = (0.5, 0.25)
     for distance in assumed_seams(64, 64, metres):
-        feather = place_feather(distance, LINEAR, 6.0, metres)
-        down, right = np.gradient(feather.weight)
-        steep = (feather.weight > 0.15) & (feather.weight < 0.85)
+        weight, _ = place_feather(distance, LINEAR, 6.0, metres)
+        down, right = np.gradient(weight)
+        steep = (weight > 0.15) & (weight < 0.85)
         slopes = np.hypot(down / metres[0], right / metres[1])[steep]
         np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)

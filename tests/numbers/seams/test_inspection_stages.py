@@ -40,8 +40,8 @@ def test_curves_and_the_papers_verdict_come_first_and_stay(block: Block, referen
     assert (first.window_id, first.window) == (whole.window_id, whole.window) == (3, WINDOW)
     assert [clip.role for clip in first.clips] == ["mosaic", "source", "source"]
     assert first.clips == whole.clips
-    assert first.paper.verdict == whole.paper_verdict
-    assert first.paper.ratios == whole.judgement.ratios
+    assert first.paper_verdict == whole.paper_verdict
+    assert first.judgement.ratios == whole.judgement.ratios
     assert repr(whole) == repr(inspect_window(request))  # an explanation holds arrays, which don't compare
 
 

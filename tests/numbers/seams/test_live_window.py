@@ -71,12 +71,12 @@ def request_of(block: Block, window: PixelWindow = WINDOW, window_id: int = 3) -
 def test_live_curves_and_profile_are_those_of_the_whole_inspection(feathered: Block, lanes: ReadingLanes) -> None:
     request = request_of(feathered)
     whole, pixels = inspect_window(request), read_live(request, lanes)
-    assert [(clip.raster, clip.role) for clip in pixels.clips.clips] == [(c.raster, c.role) for c in whole.clips]
-    for live, clip in zip(pixels.clips.clips, whole.clips):
+    assert [(clip.raster, clip.role) for clip in pixels.result.clips] == [(c.raster, c.role) for c in whole.clips]
+    for live, clip in zip(pixels.result.clips, whole.clips):
         assert list(live.curves) == ["luminance"]
         assert live.curves["luminance"].detail == pytest.approx(clip.curves["luminance"].detail, rel=1e-4)
         assert live.curves["luminance"].background == pytest.approx(clip.curves["luminance"].background, rel=1e-4)
-    assert pixels.clips.paper.verdict == whole.paper_verdict
+    assert pixels.result.paper_verdict == whole.paper_verdict
     profile = live_profile(pixels)
     assert profile.kept == pytest.approx(whole.profile.kept, rel=1e-3)
     assert (profile.low, profile.high) == pytest.approx((whole.profile.low, whole.profile.high), rel=1e-3)

@@ -15,7 +15,6 @@ from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.judgement.feather_prediction import Seamlines
 from seam_inspector.plugin.seams.measure.planning.loss_forecast import (
     Forecast,
     ForecastRequest,
@@ -37,11 +36,11 @@ def box(column: float, row: float, width: float = 128, height: float = 128) -> E
 
 
 def forecast(
-    *paths: str, extent: Extent | None = None, system: int = UTM33, seamlines: Seamlines | None = None, **changed: Any
+    *paths: str, extent: Extent | None = None, system: int = UTM33, seamlines: tuple[bytes, ...] | None = None,
+    **changed: Any,
 ) -> Forecast:
     sources, _ = gather_sources([RasterRef(path) for path in paths], [], wkt(system))
-    over = None if seamlines is None else seamlines.over(extent or box(64, 64))
-    return foretold(sources, extent or box(64, 64), ForecastSettings(**changed), wkt(system), over)
+    return foretold(sources, extent or box(64, 64), ForecastSettings(**changed), wkt(system), seamlines)
 
 
 def foretold(
@@ -136,7 +135,7 @@ def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: M
     left, top = ORIGIN
     line = ogr.CreateGeometryFromWkt(f"LINESTRING ({left + 12.8} {top}, {left + 12.8} {top - 30})")
     paths = [make_raster(name, image) for name, image in (("a.tif", a), ("b.tif", b))]
-    seams = Seamlines([bytes(line.ExportToWkb())])
+    seams = (bytes(line.ExportToWkb()),)
     result = forecast(*paths, extent=box(64, 64), seamlines=seams, width_m=2.0, ramp="linear")
     cut = np.where(weight > 0.5, b, a)
     window = np.s_[:, 64:192, 64:192]
@@ -153,7 +152,7 @@ def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: M
 def test_a_seam_that_had_to_be_assumed_is_told(make_raster: MakeRaster) -> None:
     paths = [make_raster(f"{number}.tif", image) for number, image in enumerate(images())]
     unknown = forecast(*paths, width_m=2.0)
-    beside = forecast(*paths, width_m=2.0, seamlines=Seamlines([]))
+    beside = forecast(*paths, width_m=2.0, seamlines=())
     assert unknown.notices == ()
     assert templates(beside.notices) == [
         "Where no seamline divides a window in two, the seam is assumed to run through its middle."

@@ -21,7 +21,7 @@ from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_pict
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ...measure.window.window_result import WindowCurves, WindowResult
+    from ...measure.window.window_result import WindowResult
     from ..session import Session
 
 
@@ -35,7 +35,7 @@ class CurvesPanel(ChartPanel):
         super().__init__(parent)
         self._session = session
         self._colours: dict[str, int] = {}
-        self.shown: Sequence[WindowCurves] = ()  # what the chart is asked to draw
+        self.shown: Sequence[WindowResult] = ()  # what the chart is asked to draw
         self._build()
         session.selectionChanged.connect(self._refresh_now)
         session.inputsChanged.connect(self._refresh_now)
@@ -89,7 +89,7 @@ class CurvesPanel(ChartPanel):
         else:
             self._show_no_curves(missing)
 
-    def _draw(self, result: WindowCurves, title: str) -> Chart:
+    def _draw(self, result: WindowResult, title: str) -> Chart:
         band = judged_band(result.clips[0].curves)
         curves = self._coloured(window_curves(result, band, self._session.inputs.reference))
         chart = Chart(tuple(curves), self._session.inputs.max_ratio)
@@ -125,7 +125,7 @@ class CurvesPanel(ChartPanel):
             self._status.setText("")
 
 
-def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
+def shown_window(session: Session) -> tuple[WindowResult | None, str]:
     """What there is of the selected window, if it can be compared; else why not."""
     selected = session.selected()
     clips = session.clips(selected[0]) if len(selected) == 1 else None
@@ -188,8 +188,7 @@ class ProfilePanel(ChartPanel):
         if live is not None:
             if live.profile is not None:
                 min_kept = self._session.inputs.min_kept
-                pixel_m = live.ground_sample_distance
-                window_m = max(live.window.width, live.window.height) * pixel_m
+                pixel_m, window_m = live.clips.ground_sample_distance, live.clips.longer_side_m
                 self.show_profile(ShownProfile(live.profile, pixel_m, min_kept, window_m=window_m))
             self._offer(None)
             return

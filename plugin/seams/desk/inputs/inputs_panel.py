@@ -72,7 +72,7 @@ class InputsPanel(QWidget):
         try:
             self.index.leave_out(vectors_without(LOCATION_FIELD))
             self.mosaic.show_layer(inputs.mosaic)
-            self.sources.show_sources(inputs.mosaic, inputs.sources, self.suggesting.standing)
+            self.sources.show_sources(inputs.mosaic, inputs.sources, self.suggesting.reasons)
             self.index.show_layer(inputs.source_index)
             self.seamlines.show_layer(inputs.seamlines)
             self.windows.show_layer(inputs.windows)

@@ -3,9 +3,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
@@ -20,7 +20,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....imagery.errors import SeamInspectorError
+from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, extents_meet
 from ....toolkit.desk.layer_box import missing_text
 from ....toolkit.desk.theme import ReadableItems
@@ -29,7 +29,7 @@ from ....toolkit.layers import box_extent, transformed_extent
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, tr
 from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
-from ...measure.inputs.raster_facts import COLOURS, RasterFacts, Suitability, likely_mosaic, suitable_by_header
+from ...measure.inputs.raster_facts import COLOURS, RasterFacts, likely_mosaic, suitable_by_header
 from ...measure.seamlines.seam_features import seam_fields
 from ...tables.input_layers import LOCATION_FIELD
 from ...tables.scan_layers import is_picture
@@ -42,8 +42,8 @@ if TYPE_CHECKING:
 Sources = tuple[str, ...]
 
 
-def suitabilities(mosaic_id: str, rasters: Sequence[QgsRasterLayer]) -> dict[str, Suitability]:
-    """What some rasters are to a mosaic among them, by layer id, by their headers and where they lie."""
+def suitabilities(mosaic_id: str, rasters: Sequence[QgsRasterLayer]) -> dict[str, Message | None]:
+    """Why rasters are no sources of a mosaic among them, by layer id, by their headers and where they lie."""
     mosaic = QgsProject.instance().mapLayer(mosaic_id)
     if not isinstance(mosaic, QgsRasterLayer):
         return {}
@@ -59,14 +59,11 @@ class Suggesting(QObject):
         super().__init__(parent)
         self._session = session
         self._key: object = None  # of the rasters that were looked at
-        self._suitabilities: dict[str, Suitability] = {}
+        self.reasons: dict[str, Message | None] = {}
+        """Why rasters are not suggested, by layer id; None for those that are."""
         self._suggested: Sources = ()  # when it was looked last
         self._mosaic = ""  # for which
         self.forget_choices()
-
-    def standing(self, layer_id: str) -> Suitability | None:
-        """Whether a raster is suggested, and why not; None where nothing is known of it."""
-        return self._suitabilities.get(layer_id)
 
     def forget_choices(self) -> None:
         """Another project, in which the operator has chosen nothing."""
@@ -127,8 +124,8 @@ class Suggesting(QObject):
         key = mosaic_id, [(layer.id(), layer.source(), layer.crs().authid()) for layer in rasters]
         if key == self._key:
             return
-        self._key, self._mosaic, self._suitabilities = key, mosaic_id, suitabilities(mosaic_id, rasters)
-        self._suggested = tuple(name for name, suitability in self._suitabilities.items() if suitability.is_suggested)
+        self._key, self._mosaic, self.reasons = key, mosaic_id, suitabilities(mosaic_id, rasters)
+        self._suggested = tuple(name for name, reason in self.reasons.items() if reason is None)
 
 
 _SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)
@@ -240,8 +237,6 @@ def _pixel_type(layer: QgsRasterLayer) -> str:
 _ID, _IS_OUT = (Qt.ItemDataRole.UserRole + place for place in range(2))
 _FEWEST_ROWS = 4  # seen without scrolling
 
-Standings = Callable[[str], Optional["Suitability"]]
-
 
 class _Entry(NamedTuple):
     """One line of the list."""
@@ -298,9 +293,9 @@ class SourceList(QWidget):
         """In tab order."""
         return self.suggested, self.none, self.list
 
-    def show_sources(self, mosaic_id: str, sources: Sources, standing: Standings) -> None:
-        """Show the rasters of the project with the sources checked; ``standing`` says which are suggested."""
-        entries = _entries(mosaic_id, sources, standing)
+    def show_sources(self, mosaic_id: str, sources: Sources, reasons: Mapping[str, Message | None]) -> None:
+        """Show the rasters of the project with the sources checked; ``reasons`` why some are not suggested."""
+        entries = _entries(mosaic_id, sources, reasons)
         chosen = set(sources)
         self._is_following = True
         try:
@@ -322,8 +317,8 @@ class SourceList(QWidget):
                 item.setFont(font)
         finally:
             self._is_following = False
-        standings = filter(None, (standing(entry.layer_id) for entry in entries))
-        self.suggested.setEnabled(any(known.is_suggested for known in standings))
+        suggested = (layer_id for layer_id, reason in reasons.items() if reason is None)
+        self.suggested.setEnabled(not {entry.layer_id for entry in entries}.isdisjoint(suggested))
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:
@@ -344,7 +339,7 @@ class SourceList(QWidget):
             self.changed.emit(self.checked())
 
 
-def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Entry]:
+def _entries(mosaic_id: str, sources: Sources, reasons: Mapping[str, Message | None]) -> list[_Entry]:
     """Missing sources first, then the suggested ones, last those that are left out, each by name."""
     rasters = [layer for layer in file_rasters() if layer.id() != mosaic_id]
     there = {layer.id() for layer in rasters}
@@ -358,8 +353,8 @@ def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Ent
     fit: list[_Entry] = []
     unfit: list[_Entry] = []
     for layer in rasters:
-        suitability = standing(layer.id())
-        reason = sentence(suitability.reason) if suitability is not None and suitability.reason is not None else ""
+        why = reasons.get(layer.id())
+        reason = "" if why is None else sentence(why)
         text = f"{layer.name()} \u2013 {reason}" if reason else layer.name()
         tip = "\n".join(filter(None, (reason, layer.source())))
         (unfit if reason else fit).append(_Entry(layer.id(), text, tip, bool(reason)))

@@ -173,7 +173,7 @@ class LiveWindows(QObject):
         window, before = pixels.request.window, self._current
         assert window is not None
         profile = before.profile if before is not None else None
-        self._current = LiveWindow(window, pixels.clips, pixels.request.mosaic.ground_sample_distance, profile)
+        self._current = LiveWindow(window, pixels.result, profile)
         self._profiles.ask(lambda: (live_profile(pixels),))
         self.changed.emit()
 

@@ -21,7 +21,7 @@ from ....toolkit.desk.widgets import QUndoCommand, QUndoStack, single_shot
 from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure.window.measured_window import MeasureWindow, measure_window
-from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
+from ...measure.window.window_result import WindowClips, WindowResult
 from ...measure.window.window_tables import result_of
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
@@ -222,7 +222,7 @@ class WindowResults(QObject):
             self._hold(window_id, result)
         return result
 
-    def clips(self, window_id: int) -> WindowCurves | None:
+    def clips(self, window_id: int) -> WindowResult | None:
         """The curves of its clips, which are there before the rest of the result."""
         return self._clips.get(window_id) or self.result(window_id)
 

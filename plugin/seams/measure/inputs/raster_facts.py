@@ -39,21 +39,9 @@ class RasterFacts:
     """Whether it is the mosaic's file."""
 
 
-@dataclass(frozen=True)
-class Suitability:
-    """Whether a raster is taken for a source as long as the operator does not say otherwise."""
-
-    reason: Message | None = None
-    """Why it is left out; None where it is suggested."""
-
-    @property
-    def is_suggested(self) -> bool:
-        """Whether it is."""
-        return self.reason is None
-
-
-def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> dict[str, Suitability]:
-    """The standing of each raster by its key.
+def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> dict[str, Message | None]:
+    """Why each raster, by its key, is not taken for a source as long as the operator does not say otherwise; None for
+    one that is.
 
     Other systems and other types of pixels are left out only where there are as many rasters or more that share the
     mosaic's, since all of the sources of a mosaic may have been converted; one that covers the mosaic where fewer than
@@ -73,7 +61,7 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     covering = [raster.key for raster in suitable if covers(mosaic, raster)]
     if 2 * len(covering) < len(suitable):
         unsuitable |= dict.fromkeys(covering, messages.COVERS_MOSAIC())
-    return {raster.key: Suitability(unsuitable.get(raster.key)) for raster in rasters}
+    return {raster.key: unsuitable.get(raster.key) for raster in rasters}
 
 
 def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
@@ -95,10 +83,10 @@ def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
 
 def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:
     """Whether there are two sources of its pixel size, smaller than it, that lie in it but for their margins."""
-    standings = suitable_by_header(mosaic, [raster for raster in rasters if raster.key != mosaic.key])
+    others = [raster for raster in rasters if raster.key != mosaic.key]
+    reasons = suitable_by_header(mosaic, others)
     sources = [
-        raster for raster in rasters
-        if raster.key in standings and standings[raster.key].is_suggested and raster.extent and mosaic.extent
+        raster for raster in others if reasons[raster.key] is None and raster.extent and mosaic.extent
         and not covers(mosaic, raster) and covered_share(raster.extent, mosaic.extent) > 0.5
         and raster.pixel_size * MOST_LARGER >= mosaic.pixel_size
     ]

@@ -21,8 +21,8 @@ from osgeo import ogr
 from scipy import ndimage
 
 from ....imagery import limits as imagery_limits
-from ....imagery.grids import Extent, PixelWindow
-from ....imagery.lines import burnt, read_geometry
+from ....imagery.grids import PixelWindow
+from ....imagery.lines import burnt
 from ....imagery.rasters import Raster
 from ....imagery.reference_systems import geometry_on
 from ....imagery.wavelets import detail_components, placed_components
@@ -71,18 +71,10 @@ def smallest(pairs: Iterable[Sequence[float | None]]) -> tuple[float | None, ...
 SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
 
 
-@dataclass(frozen=True, eq=False)
-class PlacedFeather:
-    """A feather between two sources at one place in a window; its arrays are (rows, columns)."""
-
-    weight: np.ndarray
-    """Share of the second source, 0 to 1, float32."""
-    strip: np.ndarray
-    """The feather's full width, bool."""
-
-
-def place_feather(distance: np.ndarray, ramp: str, width_m: float, pixel_m: tuple[float, float]) -> PlacedFeather:
-    """The feather of a full width along a seam.
+def place_feather(
+    distance: np.ndarray, ramp: str, width_m: float, pixel_m: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The feather of a full width along a seam: the share of the second source, 0 to 1, float32, and its strip, bool.
 
     ``distance``: (rows, columns) m from the seam, negative on one side. ``ramp``: one of ``limits.RAMPS``.
     ``pixel_m``: height and width of a pixel.
@@ -99,7 +91,7 @@ def place_feather(distance: np.ndarray, ramp: str, width_m: float, pixel_m: tupl
     else:
         across = np.clip(distance / width_m, -0.5, 0.5)
         weight = 0.5 + (across if ramp == LINEAR else np.sin(np.pi * across) / 2)
-    return PlacedFeather(weight.astype(np.float32), abs(distance) <= width_m / 2)
+    return weight.astype(np.float32), abs(distance) <= width_m / 2
 
 
 @dataclass(frozen=True)
@@ -113,9 +105,9 @@ class KeptDetail:
 
 
 def kept_detail(
-    first: np.ndarray, second: np.ndarray, feathers: Sequence[PlacedFeather], wavelet: str, levels: int
+    first: np.ndarray, second: np.ndarray, feathers: Sequence[tuple[np.ndarray, np.ndarray]], wavelet: str, levels: int
 ) -> KeptDetail:
-    """What feathers leave of two sources' planes, (rows, columns) each.
+    """What feathers, as ``place_feather`` has them, leave of two sources' planes, (rows, columns) each.
 
     Detail is summed over all places where the seam may run, and over both ways of sharing the sides out to the sources.
     """
@@ -123,10 +115,10 @@ def kept_detail(
     energies = np.zeros((2, 2, levels))  # feathered and cut; window and strip
     for level, details in enumerate(placed_components(planes, wavelet, levels)):
         alone, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
-        for feather in feathers:
+        for weight, pixels in feathers:
             # Of (1 - a) p + a q and a p + (1 - a) q together.
-            apart = 2 * feather.weight * (1 - feather.weight)
-            lost, strip = (in_squares(share, 2 ** (level + 1)).mean(axis=(1, 3)) for share in (apart, feather.strip))
+            apart = 2 * weight * (1 - weight)
+            lost, strip = (in_squares(share, 2 ** (level + 1)).mean(axis=(1, 3)) for share in (apart, pixels))
             for row, energy in enumerate(((1 - lost) * alone + lost * both, alone)):
                 energies[row, 0, level] += float(energy.sum(dtype=np.float64))
                 energies[row, 1, level] += float((energy * strip).sum(dtype=np.float64))
@@ -143,22 +135,6 @@ _DIRECTIONS = np.pi / 4 * (np.arange(4) + 0.5)
 _MIN_SIDE_SHARE = 0.01  # of the window: smaller pieces are what is left between a line's steps and the pixels
 
 
-class Seamlines:
-    """Lines along which images are to be joined, or polygons with such borders, in the windows' reference system."""
-
-    def __init__(self, geometries: Iterable[bytes]) -> None:
-        """``geometries``: WKB of each. Raises SeamlineError for bytes that are none."""
-        self._geometries = list(geometries)
-        boxes = [read_geometry(wkb, number).GetEnvelope() for number, wkb in enumerate(self._geometries, 1)]
-        self._xmin, self._xmax, self._ymin, self._ymax = np.array(boxes, float).reshape(-1, 4).T
-
-    def over(self, extent: Extent) -> tuple[bytes, ...]:
-        """Lines whose bounding box meets a rectangle."""
-        xmin, ymin, xmax, ymax = extent
-        meets = (self._xmin <= xmax) & (self._xmax >= xmin) & (self._ymin <= ymax) & (self._ymax >= ymin)
-        return tuple(self._geometries[number] for number in np.flatnonzero(meets))
-
-
 def assumed_seams(rows: int, columns: int, pixel_m: tuple[float, float]) -> list[np.ndarray]:
     """Straight seams through the middle of a window, in four directions: (rows, columns) m from each of them.
 
@@ -170,17 +146,17 @@ def assumed_seams(rows: int, columns: int, pixel_m: tuple[float, float]) -> list
 
 
 def drawn_seam(
-    lines: Sequence[bytes], wkt: str, mosaic: Raster, window: PixelWindow, pixel_m: tuple[float, float]
+    lines: Iterable[ogr.Geometry], wkt: str, mosaic: Raster, window: PixelWindow, pixel_m: tuple[float, float]
 ) -> np.ndarray | None:
     """Distance from the seamlines of a window, (rows, columns) m; None where they do not divide it.
 
-    ``lines``: WKB in the reference system ``wkt``. One side is the largest part of the window, the other all the rest.
+    ``lines``: in the reference system ``wkt``. One side is the largest part of the window, the other all the rest.
 
     Raises RasterError when the lines can't be transformed to the mosaic's reference system.
     """
     borders = []
     for line in lines:
-        geometry = geometry_on(ogr.CreateGeometryFromWkb(line).GetLinearGeometry(), wkt, mosaic.wkt)
+        geometry = geometry_on(line.GetLinearGeometry(), wkt, mosaic.wkt)
         borders.append((geometry.Boundary() if geometry.GetDimension() == 2 else geometry, 1))
     parts, _ = ndimage.label(burnt(borders, mosaic.grid, window, touched=True) == 0)
     sizes = np.bincount(parts.ravel())

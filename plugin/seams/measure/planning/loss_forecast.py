@@ -13,6 +13,7 @@ from functools import partial
 from itertools import zip_longest
 
 import numpy as np
+from osgeo import ogr
 
 from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
@@ -76,7 +77,7 @@ class ForecastRequest:
     """Reference system of the window, the footprints and the seamlines."""
     settings: ForecastSettings
     seamlines: tuple[bytes, ...] | None = None
-    """WKB of those that may run through the window; None where nobody knows them."""
+    """WKB of all seamlines; None where nobody knows them."""
     reason: Message | None = None
     """Why there is no window."""
 
@@ -166,7 +167,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
         len(clips),
         band,
         tuple(_pair(clips, spectra, feather, detail) for feather, detail in zip_longest(pairs, kept)),
-        _reason(len(clips), pairs, notices),
+        _reason(len(clips), pairs, tuple(notices[: imagery_limits.MAX_REASONS])),
         (*notices, *assumed),
     )
 
@@ -217,12 +218,17 @@ def _kept(
     grid = place.mosaic.grid
     metres_x, metres_y = metres_per_unit(place.mosaic.wkt, middle_of(grid.window_extent(place.window)))
     pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x
-    drawn, lines = None, request.seamlines
-    if lines is not None:
+    drawn = None
+    if request.seamlines is not None and request.extent is not None:
+        (xmin, ymin, xmax, ymax), lines = request.extent, map(ogr.CreateGeometryFromWkb, request.seamlines)
+        near = (
+            line for line in lines for left, right, bottom, top in [line.GetEnvelope()]
+            if left <= xmax and right >= xmin and bottom <= ymax and top >= ymin
+        )
         with suppress(RasterError):
-            drawn = drawn_seam(lines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
+            drawn = drawn_seam(near, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
     seams = assumed_seams(place.window.height, place.window.width, pixel_m) if drawn is None else [drawn]
-    assumed = [messages.SEAM_ASSUMED()] if lines is not None and drawn is None else []
+    assumed = [messages.SEAM_ASSUMED()] if request.seamlines is not None and drawn is None else []
     places = [place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
     return [
         kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
@@ -243,8 +249,7 @@ def _pair(
     )
 
 
-def _reason(count: int, pairs: Sequence[Feather], notices: Sequence[Message]) -> Message | None:
-    why = tuple(notices[: imagery_limits.MAX_REASONS])
+def _reason(count: int, pairs: Sequence[Feather], why: tuple[Message, ...]) -> Message | None:
     if count == 0:
         return messages.NO_SOURCE_COMPARABLE(why=why)
     if count == 1:

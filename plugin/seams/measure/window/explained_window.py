@@ -34,7 +34,7 @@ from ..seam_cells import UNKNOWN, cell_labels
 from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, WindowRequest, in_file_values, measure_window
-from .window_result import PairResult, WindowClips, WindowResult
+from .window_result import PairResult, WindowResult
 
 
 @measuring()
@@ -42,10 +42,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     """All that is known of a window; why it can't be compared where nothing could be explained."""
     request, mosaic, band = measured.request, measured.mosaic, measured.band
     notices, paper, judged = list(measured.notices), measured.paper, measured.judged
-    result = WindowResult(
-        request.window_id, request.window, paper, paper.verdict, measured.clips.clips, (), None, measured.notices,
-        request.mosaic.ground_sample_distance, request.settings.reference,
-    )
+    result = measured.result
     if not measured.is_explicable:
         shown = (pair for source in measured.sources for pair in _pairs(mosaic, source, {}))
         return replace(result, pairs=tuple(shown))
@@ -191,10 +188,8 @@ class LiveWindow:
     """What is known of the window that is being moved."""
 
     window: PixelWindow
-    clips: WindowClips
+    clips: WindowResult
     """With the curves of the judged band alone."""
-    ground_sample_distance: float
-    """The mosaic's pixel size, m."""
     profile: SeamProfile | None = None
     """What is kept along the seam, a moment ago: it takes longer than the curves."""
 

@@ -247,15 +247,15 @@ def inspect_windows(
 
 def inspect_in_stages(
     request: WindowRequest, measure: MeasureWindow = measure_window
-) -> Iterator[WindowClips | WindowResult]:
-    """Inspect a window that somebody waits for: the curves as soon as they are there, unless there are none, then all.
+) -> Iterator[WindowResult]:
+    """Inspect a window that somebody waits for: its WindowClips as soon as they are there, if there are any, then all.
 
     ``measure`` may know a faster way to the first of them. What nobody foresaw becomes the reason of a result.
     """
     try:
         measured = measure(request)
         if isinstance(measured, MeasuredWindow):
-            yield measured.clips
+            yield WindowClips(**vars(measured.result), has_sources=measured.is_explicable)
             yield explain_window(measured)
         else:
             yield not_comparable(request, measured)

@@ -29,7 +29,7 @@ from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
 from ..source_images import Source, images_in_parts, whole_images_of_clips
 from ..window_records import REFERENCES
-from .window_result import ClipResult, WindowClips, WindowResult
+from .window_result import ClipResult, WindowResult
 
 MARGIN_PX = 128
 """On every side, or what there is of the mosaic."""
@@ -163,16 +163,19 @@ class MeasuredWindow:
     """Why a source that could not be read or compared does not take part, or is only shown."""
 
     @cached_property
-    def clips(self) -> WindowClips:
-        """The curves, without the pixels."""
-        settings = self.request.settings
+    def result(self) -> WindowResult:
+        """The curves and the paper's verdict, without the pixels."""
+        request, settings = self.request, self.request.settings
         named = ((self.mosaic, "mosaic"), *((source, "source") for source in self.sources if source.curves))
         clips = []
         for measured, role in named:
             clip, curves = measured.clip, in_file_values(measured.curves, measured.grey_factor)
             directions = measure_directions(clip, settings.wavelet, settings.levels) if settings.directions else {}
             clips.append(ClipResult(clip.raster.ref.name, role, curves, directions))
-        return WindowClips(self.request.window_id, self.request.window, tuple(clips), self.paper, self.is_explicable)
+        return WindowResult(
+            request.window_id, request.window, self.paper, self.paper.verdict, tuple(clips), notices=self.notices,
+            ground_sample_distance=request.mosaic.ground_sample_distance, reference=settings.reference,
+        )
 
     @property
     def band(self) -> str:

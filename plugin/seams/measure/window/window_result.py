@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import inf
-from typing import Union
 
 from ....imagery.errors import Message
 from ....imagery.grids import PixelWindow
@@ -52,26 +51,6 @@ class PairResult:
     """Whether the source was warped to the mosaic's grid."""
     change: Change | None = None
     """What became of its grey values in the mosaic."""
-
-
-@dataclass(frozen=True)
-class WindowClips:
-    """What the pixels of each raster say by themselves, which is known before they are compared pixel by pixel."""
-
-    window_id: int
-    window: PixelWindow | None
-    """The pixels of the mosaic that were measured."""
-    clips: tuple[ClipResult, ...]
-    """The mosaic first, then the sources that take part with the whole window."""
-    paper: Judgement
-    """Judgement by the paper's rule."""
-    is_compared: bool
-    """Whether there is a source to compare with, wholly or in part."""
-
-    @property
-    def with_composite(self) -> tuple[ClipResult, ...]:
-        """The clips; there is no composite of the sources yet."""
-        return self.clips
 
 
 @dataclass(frozen=True)
@@ -209,5 +188,14 @@ class WindowResult:
         return len(self.explanation.changes) - 1  # the last is against the composite
 
 
-WindowCurves = Union["WindowClips", "WindowResult"]
-"""What a chart draws of a window: the curves that are there first, or with all else."""
+@dataclass(frozen=True)
+class WindowClips(WindowResult):
+    """What the pixels of each raster say by themselves, which is known before they are compared pixel by pixel."""
+
+    has_sources: bool = False
+    """Whether there is a source to compare with, wholly or in part."""
+
+    @property
+    def is_compared(self) -> bool:
+        """The comparison is still to come."""
+        return self.has_sources

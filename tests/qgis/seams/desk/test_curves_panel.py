@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.desk.charts.chart_widgets import CurvesChart
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
-from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowCurves, WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
@@ -41,7 +41,7 @@ class CurvesSession(WindowsSession):
         self.rows = [*(other for other in self.rows if other.fid != fid), row]
         self.resultArrived.emit(fid)
 
-    def clips(self, fid: int) -> WindowCurves | None:
+    def clips(self, fid: int) -> WindowResult | None:
         return self.results.get(fid)
 
     def is_pending(self, fid: int) -> bool:
