@@ -17,7 +17,7 @@ from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
 from .measure.blocks.scan_settings import ScanSettings
 from .measure.inputs.mosaic_copies import leave_out_copies
-from .measure.planning.window_placing import PlacingSettings, SeamIndex, place_windows
+from .measure.planning.window_placing import PlacingSettings, place_windows
 from .measure.scan.scan_request import ScanRequest, scan_request
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.seamlines.given_seams import GivenSeams, given_seams
@@ -50,11 +50,6 @@ def inspection_job(requests: Iterable[WindowRequest], count: int, measure: Measu
                 yield done / count, result
 
     return job
-
-
-def seams_job(lines: Iterable[bytes | None], pixel_size: float) -> Job:
-    """Finds the seams of a layer of lines or polygons; yields the SeamIndex of them."""
-    return lambda _cancelled: iter([(1.0, SeamIndex(find_seams(lines, pixel_size)))])
 
 
 def placing_job(lines: Iterable[bytes | None], mosaic: Raster, settings: PlacingSettings) -> Job:

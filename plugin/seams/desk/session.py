@@ -176,7 +176,7 @@ class Session(QObject):
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within reach; None where there is none, or while they are being found."""
-        return self._seams.index.nearest(x, y, reach)
+        return self._seams.nearest(x, y, reach)
 
     def hover(self, window: PixelWindow, is_live: bool) -> None:
         """The mouse is over this window; ``is_live``: its curves follow."""

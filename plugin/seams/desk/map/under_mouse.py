@@ -1,20 +1,20 @@
 """What lies under the mouse: seams, and a window whose curves follow while it moves."""
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsPointXY
+from qgis.core import QgsGeometry, QgsLineString, QgsMultiLineString, QgsPointXY
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import PixelWindow
+from ....imagery.lines import find_seams
 from ....imagery.raster_pool import ReadingLanes
 from ....toolkit.background_tasks import BackgroundTasks, LatestOnly
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
-from ... import jobs
-from ...measure.planning.window_placing import SeamIndex
 from ...measure.window.explained_window import LiveWindow, live_profile, read_live
 from ...measure.window.inspection import window_request
 from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow, WindowRequest
@@ -36,7 +36,7 @@ class SeamFinder:
 
     def forget(self) -> None:
         """Another project."""
-        self.index = SeamIndex([])  # empty while they are being found
+        self.seams = QgsGeometry()  # empty while they are being found
         self._key: object = None  # what was searched
         self._turn = object()
 
@@ -55,12 +55,24 @@ class SeamFinder:
             self.forget()
         self._key = key
         self._turn = turn = object()
-        job = jobs.seams_job(lines, block.mosaic.grid.pixel_width)
+        job = partial(_seams_job, lines, block.mosaic.grid.pixel_width)
         self._background.start(tr("Find seams"), job, partial(self._take, turn))
+
+    def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam within reach; None where there is none, or while they are being found."""
+        squared, point, *_ = self.seams.closestSegmentWithContext(QgsPointXY(x, y))
+        return (point.x(), point.y()) if 0 <= squared <= reach**2 else None
 
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:
-            self.index = seams
+            self.seams = seams
+
+
+def _seams_job(lines: Iterable[bytes | None], pixel: float, _cancelled: object) -> Iterator[tuple[float, object]]:
+    seams = QgsMultiLineString()
+    for seam in find_seams(lines, pixel):
+        seams.addGeometry(QgsLineString(*seam.vertices.T.tolist()))
+    yield 1.0, QgsGeometry(seams)
 
 
 @dataclass(frozen=True)

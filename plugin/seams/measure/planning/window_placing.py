@@ -20,7 +20,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ....imagery.lines import Seam, line_pieces, points_at, stretches_inside, vertex_stations
+from ....imagery.lines import Seam, points_at, stretches_inside, vertex_stations
 from ....imagery.records import Column
 from .. import limits, messages
 
@@ -280,23 +280,3 @@ class SeamTrack:
         """(k, 2): stations between which the seam lies inside the mosaic, as many pixels from its edges."""
         far = np.array([self._grid.columns, self._grid.rows]) - margin
         return stretches_inside(self._pixels, self._station, np.array([margin, margin]), far)
-
-
-class SeamIndex:
-    """All pieces of all seams; ten thousand of them are searched in well under a millisecond."""
-
-    def __init__(self, seams: Sequence[Seam]) -> None:
-        lines = [seam.vertices @ (1, 1j) for seam in seams]
-        self._start, stop = line_pieces(lines)[0].T if lines else np.empty((2, 0), complex)
-        self._step = stop - self._start
-
-    def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
-        """The nearest point of a seam in map units, or None when it is farther than ``reach``."""
-        if not len(self._start):
-            return None
-        place = complex(x, y)
-        squared = np.maximum(abs(self._step) ** 2, np.finfo(float).tiny)
-        share = np.clip(((place - self._start) * self._step.conj()).real / squared, 0, 1)
-        points = self._start + share * self._step
-        best = points[np.argmin(abs(points - place))]
-        return (float(best.real), float(best.imag)) if abs(best - place) <= reach else None
