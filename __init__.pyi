@@ -44,7 +44,7 @@ from .plugin.imagery.grids import PixelWindow as PixelWindow
 
 # A whole mosaic
 from .python.measuring import scan as scan
-from .plugin.seams.measure.blocks.scan_settings import ScanSettings as ScanSettings
+from .plugin.seams.measure.blocks.block_grid import ScanSettings as ScanSettings
 from .plugin.seams.measure.scan.scan_result import ScanResult as ScanResult
 from .plugin.seams.measure.scan.scan_result import JudgedPiece as JudgedPiece
 #: piece left right kept low high band_width_m feather_width_m visibility verdict reason left_date right_date is_stretch

@@ -25,9 +25,9 @@ from seam_inspector.plugin.imagery.records import NotUnderstoodError, record_of,
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import load_inputs, save_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan, scan_block
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
+from seam_inspector.plugin.seams.measure.scan.block_runs import open_journal
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request

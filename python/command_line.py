@@ -22,7 +22,7 @@ from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
 from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning
 from ..plugin.imagery.limits import DEFAULT_LEVELS
-from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
+from ..plugin.seams.measure.blocks.block_grid import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
 from ..plugin.seams.measure.mending.mend_run import MendSettings

@@ -9,7 +9,7 @@ from ..plugin.imagery.file_identity import check_can_be_written, refuse_overwrit
 from ..plugin.imagery.gdal_paths import FEATURES, RASTERS, open_dataset
 from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
 from ..plugin.seams.measure.mending.mended_mosaic import MENDED_DOMAIN
-from ..plugin.seams.measure.scan.loss_raster import SETTINGS_DOMAIN
+from ..plugin.seams.measure.scan.piece_sums import SETTINGS_DOMAIN
 from . import messages
 
 SEAMS, CELLS, WORST = "seams", "source_cells", "worst_windows"

@@ -15,7 +15,7 @@ from ..imagery.raster_pool import reading_threads
 from ..imagery.rasters import Raster
 from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
-from .measure.blocks.scan_settings import ScanSettings
+from .measure.blocks.block_grid import ScanSettings
 from .measure.inputs.mosaic_copies import leave_out_copies
 from .measure.planning.window_placing import PlacingSettings, place_windows
 from .measure.scan.scan_request import ScanRequest, scan_request

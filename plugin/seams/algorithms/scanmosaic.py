@@ -22,7 +22,7 @@ from ..measure import limits, messages
 from .block_parameters import follow_steps, gathered_sources, given_features, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.blocks.scan_settings import ScanSettings
+    from ..measure.blocks.block_grid import ScanSettings
     from ..measure.scan.scan_result import ScanResult
     from ..measure.scan.whole_scan import WholeScan
     from ..measure.seamlines.given_seams import GivenSeams
@@ -197,7 +197,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         return made
 
     def _settings(self, run: Run) -> ScanSettings:
-        from ..measure.blocks.scan_settings import ScanSettings
+        from ..measure.blocks.block_grid import ScanSettings
 
         return ScanSettings(
             *run.decomposition(), run.text(DENSITY), run.whole(CELL), run.real(PIECE), run.real(CORRIDOR),

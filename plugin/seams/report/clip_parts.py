@@ -16,7 +16,7 @@ from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
 from ...imagery.rasters import Raster
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import bytes_picture, stretched
-from ..measure.judgement.greatest_loss import SHOWN_PX, worst_places
+from ..measure.judgement.visibility import SHOWN_PX, worst_places
 from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
 from ..measure.window.explained_window import window_lost

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.seams.measure.while_measuring import measuring
+from seam_inspector.plugin.seams.measure.workers import measuring
 
 PROGRAM = """
 import threading
 import threadpoolctl
 import numpy, scipy.linalg
-from seam_inspector.plugin.seams.measure.while_measuring import measuring
+from seam_inspector.plugin.seams.measure.workers import measuring
 
 def counts():
     return {library["num_threads"] for library in threadpoolctl.threadpool_info() if library["user_api"] == "blas"}
@@ -77,7 +77,7 @@ def test_gdal_keeps_no_more_than_is_read_at_a_time(own_mb: int) -> None:
 ARRAYS = """
 import resource
 import numpy as np
-from seam_inspector.plugin.seams.measure.while_measuring import measuring
+from seam_inspector.plugin.seams.measure.workers import measuring
 
 def fresh_pages():
     before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt

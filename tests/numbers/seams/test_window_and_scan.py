@@ -12,7 +12,7 @@ from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import JudgedPiece

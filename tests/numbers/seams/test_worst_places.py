@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import numpy as np
-from seam_inspector.plugin.seams.measure.judgement.greatest_loss import SHOWN_PX, worst_places
+from seam_inspector.plugin.seams.measure.judgement.visibility import SHOWN_PX, worst_places
 from seam_inspector.plugin.seams.measure.profile.window_detail import SAMPLE_PX, LossPicture
 
 CELL, SIDE = 8, 512

@@ -35,7 +35,7 @@ from ....toolkit.reference_systems import reference_system, transformation
 from ....toolkit.translation import tr
 from ...jobs import ScanOrder
 from ...measure import messages
-from ...measure.blocks.scan_settings import ScanSettings
+from ...measure.blocks.block_grid import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.seamlines.seam_features import SeamFeature
 from ...measure.source_images import Source

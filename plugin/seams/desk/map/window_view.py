@@ -93,7 +93,7 @@ class WindowView:
 
     def _worst_places(self, fid: int, grid: Grid) -> list[tuple[float, float]]:
         """In the mosaic's reference system; empty where it is not known where detail was lost, or not to be told."""
-        from ...measure.judgement.greatest_loss import worst_places
+        from ...measure.judgement.visibility import worst_places
 
         result = self._session.result(fid)
         if result is None or result.window is None or result.loss is None:

@@ -1,5 +1,5 @@
-"""The blocks of a mosaic that are scanned one by one, squares in them, rectangles worth to be measured densely, and
-which parts of a mosaic given seams call for."""
+"""How a whole mosaic is scanned: its settings, the blocks that are scanned one by one, squares in them, rectangles that
+are worth to be measured densely, and which parts of a mosaic given seams call for."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
@@ -8,9 +8,65 @@ from itertools import product
 
 import numpy as np
 
+from ....imagery import limits as imagery_limits
+from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
+from ....imagery.wavelets import check_decomposition
+from .. import limits, messages
+from ..limits import DENSITIES, MOST_LEVELS, SEAMS
+from ..profile.cell_table import CELL_PX
 from ..seamlines.seam_pieces import SidedSeam
+
+LEAST_PIECE_M = 0.01  # what is shorter is no length; scan_request lengthens what can't be measured
+CELLS_PX = tuple(CELL_PX * 2**power for power in range(5))
+"""Sides of a pixel of the picture of losses: whole cells, and whole pixels in a block."""
+
+
+@dataclass(frozen=True)
+class ScanSettings:
+    """What is measured, and how it is told."""
+
+    wavelet: str = imagery_limits.DEFAULT_WAVELET
+    """Any orthogonal wavelet of PyWavelets."""
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    """R, 1 to 4."""
+    density: str = SEAMS
+    """``seams``: everything along the seams, samples elsewhere; ``full``: everything everywhere."""
+    cell_px: int = 2 * CELL_PX
+    """Side of a pixel of the picture of losses, px of the mosaic: 16, 32, 64, 128 or 256."""
+    piece_m: float = limits.STANDARD_PIECE_M
+    """Length of the pieces into which seams are cut."""
+    corridor_m: float = 0.0
+    """What is read on either side of given seamlines; 0: everything."""
+    worst_count: int = limits.WORST_COUNT
+    """Windows of the least kept places."""
+    source_field: str = ""
+    """Field of given seamlines that names the source of a polygon, where that can't be guessed."""
+
+    @property
+    def told(self) -> dict[str, str]:
+        """What its results say of how they were measured."""
+        notes = {
+            "wavelet": self.wavelet, "levels": str(self.levels), "density": self.density,
+            "piece_m": f"{self.piece_m:.4g}",
+        }  # fmt: skip
+        return {**notes, "corridor_m": f"{self.corridor_m:.4g}"} if self.corridor_m else notes
+
+    def check(self) -> None:
+        """Raise SettingsError when a value is out of its range."""
+        imagery_limits.check_settings(self, ScanSettings)
+        if not 1 <= self.levels <= MOST_LEVELS:
+            raise SettingsError(messages.SCAN_LEVELS(levels=self.levels, most=MOST_LEVELS))
+        check_decomposition(self.wavelet, self.levels)
+        if self.density not in DENSITIES:
+            raise SettingsError(messages.DENSITY_UNKNOWN(density=self.density, known=", ".join(DENSITIES)))
+        if self.cell_px not in CELLS_PX:
+            raise SettingsError(messages.SCAN_CELL(cell=self.cell_px, known=", ".join(map(str, CELLS_PX))))
+        for name, least in (("piece_m", LEAST_PIECE_M), ("corridor_m", 0.0), ("worst_count", 0)):
+            if (value := getattr(self, name)) < least:
+                raise SettingsError(messages.SCAN_LENGTHS(name=name, value=value, least=f"{least:g}"))
+
 
 BLOCK_PX = 2048
 """Side of a block: what is held in memory at a time."""

@@ -21,10 +21,9 @@ from ..following.source_filters import Learned, known_filters
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
-from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
+from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX, ScanSettings
 from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
-from .scan_settings import ScanSettings
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
 """Pixels whose labels are kept."""

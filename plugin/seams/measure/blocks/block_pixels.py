@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import Callable, NamedTuple
+from typing import Callable
 
 import numpy as np
 
@@ -43,13 +43,6 @@ class Planes:
     """Sources that had to be warped to the mosaic's grid."""
 
 
-class BlockClips(NamedTuple):
-    """What was read of one window: of the mosaic, and of sources by their numbers."""
-
-    mosaic: Clip
-    clips: dict[int, Clip]
-
-
 class BlockPixels:
     """The clips of one window of the mosaic, and parts of them; what lies beyond is read anew."""
 
@@ -72,8 +65,8 @@ class BlockPixels:
         self._held = None if margin_px is None else self._read(self._around, range(min(len(refs), MOST_HELD)))
 
     @property
-    def held(self) -> BlockClips:
-        """All that was read, as the files have it, of a block that was read as a whole."""
+    def held(self) -> tuple[Clip, dict[int, Clip]]:
+        """All that was read of the mosaic, and of sources by their numbers, of a block that was read as a whole."""
         assert self._held is not None
         return self._held
 
@@ -85,7 +78,7 @@ class BlockPixels:
     @property
     def valid(self) -> np.ndarray | None:
         """(rows, columns) bool: where the mosaic has pixels; None: everywhere."""
-        valid, first = None if self._held is None else self._held.mosaic.valid, self._margin
+        valid, first = None if self._held is None else self._held[0].valid, self._margin
         return None if valid is None else valid[first : first + self.window.height, first : first + self.window.width]
 
     def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
@@ -102,7 +95,7 @@ class BlockPixels:
 
         planes = self._planes(*self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
-            more = self._planes(self.held.mosaic, self._read_sources(self._around, [number]), pick)
+            more = self._planes(self.held[0], self._read_sources(self._around, [number]), pick)
             planes = replace(
                 planes, sources={**planes.sources, **more.sources}, resampled=planes.resampled | more.resampled
             )
@@ -120,7 +113,7 @@ class BlockPixels:
         """A window of the mosaic of some sources. Raises RasterError where the mosaic can't be read."""
         (top, below), (left, right) = self._around.margins_of(window)
         is_within = min(top, below, left, right) >= 0
-        if self._held is None or not is_within or any(i not in self._held.clips for i in numbers):
+        if self._held is None or not is_within or any(i not in self._held[1] for i in numbers):
             return self._planes(*self._read(window, numbers))
         mosaic, clips = self._held
         return self._planes(
@@ -128,9 +121,9 @@ class BlockPixels:
             lambda pixels: pixels[..., top : top + window.height, left : left + window.width],
         )
 
-    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
+    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> tuple[Clip, dict[int, Clip]]:
         mosaic = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
-        return BlockClips(mosaic, self._read_sources(window, numbers))
+        return mosaic, self._read_sources(window, numbers)
 
     def _read_sources(self, window: PixelWindow, numbers: Sequence[int]) -> dict[int, Clip]:
         clips = {}

@@ -18,7 +18,7 @@ from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
 from ..seamlines.seam_pieces import PieceIndex
-from ..while_measuring import measuring
+from ..workers import measuring
 from .block_grid import (
     BESIDE_PX,
     BLOCK_PX,
@@ -30,6 +30,7 @@ from .block_grid import (
     UNIT_PX,
     UNITS,
     BlockKey,
+    ScanSettings,
     labels_in,
     rectangles,
     squares_met,
@@ -37,7 +38,6 @@ from .block_grid import (
 from .block_parts import BLOCK_MARGIN_PX, SAMPLED, DensePart, measure_part, measure_plain
 from .block_pixels import ALL_READ, BlockPixels, BlockReading
 from .patches import UNLEARNED, SquareLook, look_at_squares, middle_sources
-from .scan_settings import ScanSettings
 
 REACH_PX = 4.0 * BESIDE_PX
 """From a given seam: what lies farther off may be beyond another one that nobody drew."""
@@ -145,28 +145,20 @@ def scan_block(request: BlockRequest) -> BlockScan:
     """Look at the patches of a block, then measure what they call for. A block that can't be read tells why in its
     notices; it never raises for that."""
     try:
-        return _scanned(request)
+        return _looked_at(request) if request.wanted is None else _measured_where(request.wanted, request)
     except NotCoveredError:
         return BlockScan.nothing(request, ())
     except RasterError as error:
         nothing = BlockScan.nothing(request, (error.message.as_warning(),))
-    if request.along_seams is None:
-        return nothing
-    try:  # what can be read beside the given seams of a block that can't be read as a whole, and so was not looked at
-        scanned = _scanned(replace(request, wanted=request.along_seams))
-    except RasterError:
-        return nothing
-    notices = tuple(dict.fromkeys((*nothing.notices, *scanned.notices)))
-    return replace(scanned, notices=notices, reading=replace(scanned.reading, unread=(request.window,)))
-
-
-def _scanned(request: BlockRequest) -> BlockScan:
-    """Scan of a block; raises NotCoveredError or RasterError where it can't be read."""
-    return _looked_at(request) if request.wanted is None else _measured_where(request.wanted, request)
+    if request.wanted is None and request.along_seams is not None:
+        # What can be read beside given seams is measured, though the block as a whole can't be read to be looked at.
+        return replace(nothing, wanted=request.along_seams)
+    return nothing
 
 
 def _looked_at(request: BlockRequest) -> BlockScan:
-    """What the patches of a block say, and the units in which they call for more."""
+    """What the patches of a block say, and the units in which they call for more. Raises NotCoveredError or RasterError
+    where it can't be read."""
     settings = request.settings
     is_full = settings.density == FULL
     # Those of a block at the mosaic's edge may be too few for a patch.

@@ -26,7 +26,7 @@ from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
 from ..seam_cells import UNKNOWN
 from ..seamlines.seam_pieces import NearestPieces, PieceIndex
 from ..source_images import Source
-from ..while_measuring import measuring
+from ..workers import measuring
 from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
 from .new_cut import (
@@ -247,7 +247,7 @@ class _Pixels:
         refs = [source.ref for source in request.sources[:count]]
         block = BlockPixels(request.mosaic, refs, window)
         self.window, self.mosaic = window, request.mosaic
-        self.mosaic_clip, self.clips = block.held.mosaic, block.held.clips
+        self.mosaic_clip, self.clips = block.held
         if any(side not in self.clips for side in _SIDES):
             raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))
         self.planes = block.part(window, list(self.clips))

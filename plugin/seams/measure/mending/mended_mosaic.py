@@ -2,8 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
 from itertools import product
 from pathlib import Path
 from uuid import uuid4
@@ -23,15 +22,6 @@ MENDED_DOMAIN = "SEAM_INSPECTOR_MENDED"
 """Metadata domain of a mended mosaic: how many patches lie on it."""
 _COG = ["COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", "SPARSE_OK=TRUE"]
 _ROLES = {"red": gdal.GCI_RedBand, "green": gdal.GCI_GreenBand, "blue": gdal.GCI_BlueBand}
-
-
-@dataclass(frozen=True)
-class PlacedPatch:
-    """A patch that lies in a file."""
-
-    path: str
-    window: PixelWindow
-    """Its place in the mosaic's pixels."""
 
 
 def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: np.ndarray) -> np.ndarray:
@@ -59,15 +49,19 @@ def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: 
     return np.frombuffer(taken_from_memory(path), np.uint8)
 
 
-def write_mended(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> None:
+def write_mended(path: str, mosaic: Raster, patches: Mapping[str, PixelWindow]) -> None:
     """The mosaic and above it its patches, where their alpha is set, as a VRT. Raises RasterError where it can't be
-    written."""
+    written.
+
+    ``patches``: their places in the mosaic's pixels by their files.
+    """
     with whole_raster(path) as unfinished, gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
         below = OpenRaster(mosaic.ref)
         whole = gdal.GetDriverByName("VRT").CreateCopy("", below.dataset)
         whole.SetProjection(mosaic.wkt)
-        for (number, index), (place, patch) in product(enumerate(below.roles.indices, 1), enumerate(patches)):
-            file, window = escape(os.path.abspath(patch.path)), patch.window
+        placed = enumerate(patches.items())
+        for (number, index), (place, (patch, window)) in product(enumerate(below.roles.indices, 1), placed):
+            file = escape(os.path.abspath(patch))
             size = f'xSize="{window.width}" ySize="{window.height}"'
             source = (
                 f'<ComplexSource><SourceFilename relativeToVRT="0">{file}</SourceFilename>'

@@ -25,11 +25,9 @@ from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column
 from .. import messages
-from ..blocks.block_grid import BlockKey
-from ..blocks.scan_settings import ScanSettings
-from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
+from ..blocks.block_grid import BlockKey, ScanSettings
+from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanJournal, ScanStep, held, journal_beside
 from ..scan.piece_sums import around_pieces
-from ..scan.scan_journal import ScanInputs, ScanJournal, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
@@ -39,7 +37,7 @@ from ..source_images import Source
 from ..workers import Workers
 from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUND_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
-from .mended_mosaic import PlacedPatch, write_mended
+from .mended_mosaic import write_mended
 
 MENDED_KEPT = 0.9
 """kept_1 of a seam that counts as mended: less is the band of a seam profile."""
@@ -196,16 +194,17 @@ class Mending:
             prefix=unfinished_name(place), dir=place.parent
         ) as folder:
             tried = list(self._tried(Path(folder)))
-            cuts = {number: cut.vertices for number, (cut, patch) in enumerate(tried) if patch is not None}
-            write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, [patch for _, patch in tried if patch])
+            cuts = {number: cut.vertices for number, cut in enumerate(tried) if cut.window is not None}
+            patches = {str(Path(folder) / _patch_name(n)): cut.window for n, cut in enumerate(tried) if cut.window}
+            write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, patches)
             kept = self._measured(path, cuts, workers) if cuts else {}
-            seams = [self._judged(number, cut, kept.get(number)) for number, (cut, _) in enumerate(tried)]
-            better = [patch for (_, patch), seam in zip(tried, seams) if patch is not None and seam.outcome != LEFT]
-            for number, patch in enumerate(better):
-                path = str(self._folder / os.path.basename(patch.path))
+            seams = [self._judged(number, cut, kept.get(number)) for number, cut in enumerate(tried)]
+            better = {
+                str(self._folder / seam.patch): seam.cut.window for seam in seams if seam.patch and seam.cut.window
+            }
+            for path in better:
                 with whole_raster(path) as unfinished:
-                    shutil.move(patch.path, unfinished)
-                better[number] = replace(patch, path=path)
+                    shutil.move(Path(folder) / os.path.basename(path), unfinished)
             write_mended(self._mended, mosaic, better)
         reason = messages.SIDES_UNKNOWN()
         named, unnamed = self.request.runs
@@ -214,16 +213,14 @@ class Mending:
             for number, run in enumerate(unnamed, len(named))
         ]
 
-    def _tried(self, folder: Path) -> Iterator[tuple[MendedRun, PlacedPatch | None]]:
-        """All cuts, without their patches, and those as files in this folder."""
+    def _tried(self, folder: Path) -> Iterator[MendedRun]:
+        """All cuts, without their patches, which are files in this folder."""
         for number, (key, _) in enumerate(self._cuts):
             cut: MendedRun | None = held(_LOOK, self._journal.files, key)
             assert cut is not None
-            patch = None
-            if cut.window is not None and cut.patch is not None:
-                patch = PlacedPatch(str(folder / _patch_name(number)), cut.window)
-                cut.patch.tofile(patch.path)
-            yield replace(cut, patch=None), patch
+            if cut.patch is not None:
+                cut.patch.tofile(folder / _patch_name(number))
+            yield replace(cut, patch=None)
 
     def _measured(self, path: str, cuts: dict[int, np.ndarray | None], workers: Workers) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of

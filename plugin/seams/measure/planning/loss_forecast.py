@@ -38,8 +38,8 @@ from ..judgement.feather_prediction import (
 )
 from ..limits import COSINE, RAMPS
 from ..source_images import Source, covers
-from ..while_measuring import measuring
 from ..window.measured_window import InspectionSettings, WindowRequest, comparable, measured_clip
+from ..workers import measuring
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,8 @@ from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicRea
 from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
 from ..seamlines.seam_pieces import PieceIndex
-from ..while_measuring import measuring
-from ..workers import Workers
-from .block_runs import BlockLook, JournaledBlocks, ScanStep, held
+from ..workers import Workers, measuring
+from .block_runs import BlockLook, JournaledBlocks, ScanJournal, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import (
     MARGIN_PX,
@@ -28,9 +27,7 @@ from .lone_stretches import (
     lone_cells,
     lone_stretches,
 )
-from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
-from .piece_sums import around_pieces, blocks_of, by_blocks
-from .scan_journal import ScanJournal
+from .piece_sums import NODATA, LossRaster, around_pieces, blocks_of, by_blocks, empty_cells, loss_raster
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
@@ -75,7 +72,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
             notices.append(error.message.as_warning())
             unread.append(window)
         else:
-            clip, judged = pixels.held.mosaic, pixels.part(around, ()).mosaic
+            clip, judged = pixels.held[0], pixels.part(around, ()).mosaic
             image = ComparedImage(
                 clip.bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid, judged=judged
             )

@@ -17,9 +17,8 @@ from ....imagery.lines import vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
-from ..blocks.block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey, blocks_near, place_of, units_along
+from ..blocks.block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey, ScanSettings, blocks_near, place_of, units_along
 from ..blocks.scan_block import REACH_PX, BlockRequest
-from ..blocks.scan_settings import ScanSettings
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines.given_seams import GivenSeams

@@ -1,35 +1,247 @@
-"""A whole mosaic: request -> blocks -> result, and what a scan that was stopped has left."""
+"""A whole mosaic: request -> blocks -> what they tell, and what a scan that was stopped has left.
+
+What one block and its neighbours tell is worked out by those who measure, as the blocks were (``block_outputs``); here
+their chains are joined to seams and cut in pieces, which they then measure (``piece_sums``).
+"""
 from __future__ import annotations
 
+import json
 import os
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
+import numpy as np
 from osgeo import ogr
 
+from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamsElsewhereError
 from ....imagery.file_identity import known_states, states_text
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
-from ....imagery.rasters import Raster
-from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SYSTEM
+from ....imagery.rasters import Raster, RasterRef
+from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SYSTEM, PieceState
 from .. import messages
+from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, ScanSettings, place_of, squares_met
 from ..blocks.block_pixels import MosaicReading
-from ..blocks.scan_settings import ScanSettings
+from ..blocks.scan_block import EMPTY, NOT_LOOKED
+from ..judgement.visibility import white_grey
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
-from ..while_measuring import measuring
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, sided
+from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
-from ..workers import Workers
-from .block_runs import BlockRun, ScanStep
-from .gathering import Gathering
+from ..workers import Workers, measuring
+from .block_runs import BlockRun, ScanInputs, ScanJournal, ScanStep, journal_beside
+from .followed_ground import LEAST_BESIDE, LEAST_UNEXPLAINED, FollowedGround, common_shift
 from .lone_scan import LoneScanning
-from .scan_journal import ScanInputs, ScanJournal, journal_beside
+from .piece_sums import (
+    REACH_PX,
+    SOURCE_BAND,
+    LossRaster,
+    Pieces,
+    around_pieces,
+    block_outputs,
+    by_blocks,
+    loss_raster,
+    measure_pieces,
+)
 from .scan_request import ScanRequest, scan_request
-from .scan_result import ScanResult, dated
+from .scan_result import (
+    JudgedPiece,
+    PieceFigures,
+    ScanResult,
+    dated,
+    judge_piece,
+    metres,
+    without_verdict,
+    worst_windows,
+)
+
+_BLOCKS_OF_PIECES = 4
+"""Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
+_MOST_AROUND = 5.0
+"""Metres of seam per metre around the orthoimages. Brighton's crooked seams: 0.8; its mosaic warped by nearest
+neighbour: 22."""
+_TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
+"""Shares of the time at the ends of what there is to do."""
+
+
+def _listed(rasters: Iterable[RasterRef]) -> str:
+    """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
+    return json.dumps([path for raster in rasters for path in raster.paths], ensure_ascii=False)
+
+
+class Gathering:
+    """Puts together what a journal holds."""
+
+    def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
+        self._request, self._files, self._reading = request, journal.files, reading
+        self._blocks = request.blocks
+        self._shown: dict[int, int] = {}  # numbers of the sources in the picture of losses
+        number = np.min_scalar_type(-len(request.sources) - 1)
+        self._units = np.full((self._blocks.rows * UNITS, self._blocks.columns * UNITS), NOT_LOOKED, number)
+
+    def result(self, loss_path: str, workers: Workers) -> ScanResult:
+        """All of it; the picture of losses is written to ``loss_path``, if that is not empty.
+
+        Raises SettingsError when the journal can't be read, RasterError when the picture can't be written,
+        CancelledError.
+        """
+        request, settings = self._request, self._request.settings
+        picture = loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
+        with picture as raster:
+            known = given_polygons(request)
+            borders = self._borders(raster, workers.part(0, _TRACED), not (request.given and known))
+            polygons = known or tuple(polygons_of(borders))
+            pieces = list(request.pieces) if request.given else cut_in_pieces(
+                seams_of(borders), settings.piece_m, request.mosaic.grid
+            )
+            too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
+            pieces = [] if too_many else pieces
+            for unread in self._reading.unread:
+                self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
+            if request.counted is not None:  # what lies beside it is counted where it belongs
+                elsewhere = np.ones(self._units.shape, bool)
+                elsewhere[squares_met(request.counted, UNIT_PX)] = False
+                self._units[elsewhere] = EMPTY
+            workers.tell(_CUT)
+            judged, notes, notices = self._judged(pieces, workers.part(_CUT, _MEASURED))
+            ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], settings.piece_m)
+            judged = tuple(part for part in judged if request.counts(part.piece))
+            of_reading, lost = self._reading.told
+            notes.update(of_reading)
+            if names := request.not_given:
+                notes["not_given"] = ", ".join(names)
+            if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
+                notes["may_be_copies"] = ", ".join(doubtful)
+            notes.update(ground.told)
+            shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
+            if shift is not None:
+                notes["mosaic_shift"] = "{:.2f} {:.2f}".format(*shift)
+            if raster is not None:
+                sources = _listed(source.ref for source in request.sources)
+                how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+                raster.close([request.source_names[number] for number in self._shown], how)
+            worst = worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
+            notices = [*lost, *too_many, *_notices(ground, shift), *notices, *without_verdict(judged)]
+            if polygons and not (pieces or request.given or too_many):
+                followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
+                notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
+            workers.tell(1.0)
+        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), notes, tuple(request.source_names))
+
+    def _judged(
+        self, pieces: Sequence[SeamPiece], workers: Workers
+    ) -> tuple[tuple[JudgedPiece, ...], dict[str, str], list[Message]]:
+        """The pieces of seam with their verdicts, and what there is to tell of those that may be none."""
+        request = self._request
+        measured, brightest = self._measured(pieces, workers)
+        white = white_grey(request.mosaic, brightest)
+        judged = []
+        for figures in measured:
+            sides = [self._name(side) for side in (figures.piece.left, figures.piece.right)]
+            judged.append(judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
+        if not request.given:
+            return tuple(judged), {"seams": "found"}, []
+        # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
+        alike = {
+            number for number, figures in enumerate(measured)
+            if figures.is_unchanged and judged[number].state is PieceState.NOT_MEASURED
+        }
+        named = {number for number in alike if pieces[number].left or pieces[number].right}
+        counted = {number for number in named if request.counts(pieces[number])}
+        notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in counted]):.1f}"}
+        within = metres([judged[number] for number in alike - named])
+        seams = tuple(piece for number, piece in enumerate(judged) if number not in alike - named)
+        return seams, notes, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
+
+    def _name(self, side: Side) -> str | None:
+        """Name of a source as its file has it, else as the seams do."""
+        if isinstance(side, str):
+            number = self._request.named[0].get(side)
+            return side if number is None else self._request.source_names[number]
+        return None if side is None else self._request.source_names[side]
+
+    def _borders(self, raster: LossRaster | None, workers: Workers, traces: bool) -> list[SourceBorder]:
+        """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
+        edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
+        cell_px = self._request.settings.cell_px if raster is not None else 0
+        work = partial(block_outputs, self._files, size, cell_px, traces)
+        for block in workers.map(work, self._blocks, self._blocks.rows * self._blocks.columns):
+            edges.append(block.edges)
+            self._units[place_of(block.key, UNITS)] = block.ground
+            # Their sources are numbered in the order in which the picture of losses meets them.
+            shown = {source: self._shown.setdefault(source, len(self._shown) + 1) for source in block.sources}
+            if raster is not None and block.cells is not None:
+                cells = block.cells.copy()
+                for source, number in shown.items():
+                    cells[SOURCE_BAND - 1][block.cells[SOURCE_BAND - 1] == source + 1] = number
+                raster.write(*block.key, cells)
+        return trace_borders(np.concatenate(edges, axis=1), self._blocks.grid, size[0], LABEL_PX)
+
+    def _measured(self, pieces: Sequence[SeamPiece], workers: Workers) -> tuple[list[PieceFigures], float]:
+        """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
+        index, named = PieceIndex(pieces, self._blocks.grid), self._request.named[0]
+        groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
+        levels, is_given = self._request.settings.levels, self._request.given is not None
+        work = partial(measure_pieces, self._files, self._blocks, levels, is_given)
+
+        def near(numbers: np.ndarray) -> Pieces:
+            held = [pieces[number] for number in numbers.tolist()]
+            around = around_pieces(held, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
+            return held, numbers, index.near(around, 0.0)
+
+        of_piece, brightest = dict[int, PieceFigures](), 0.0
+        for numbers, (group, largest) in zip(groups, workers.map(work, map(near, groups), len(groups))):
+            brightest = max(brightest, largest)
+            for number, figures in zip(numbers.tolist(), group):
+                beside = figures.beside
+                of_piece[number] = figures if beside is None else replace(
+                    figures, piece=sided(figures.piece, beside, named)
+                )
+        return [of_piece[number] for number in range(len(pieces))], brightest
+
+
+def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> Iterator[Message]:
+    """Places where labels change so often that their borders can't be seams: an image has a seam around it at most."""
+    grid = request.mosaic.grid
+    shared = [shared_extent(source.extent, grid.extent) for source in request.sources]
+    around = sum(2 * ((e[2] - e[0]) * grid.metres_x + (e[3] - e[1]) * grid.metres_y) for e in shared if e is not None)
+    length = sum(piece.length_m for piece in pieces)
+    if length > _MOST_AROUND * around:
+        yield messages.MORE_SEAMS_THAN_OUTLINES(metres=length, around=around)
+
+
+def _notices(ground: FollowedGround, shift: tuple[float, float] | None) -> Iterator[Message]:
+    """What of the ground is in no figure; ``shift``: by which the mosaic lies beside all its orthoimages."""
+    if shift is not None:
+        yield messages.MOSAIC_BESIDE(share=100 * ground.unexplained, east=shift[0], north=shift[1])
+    elif ground.unexplained >= LEAST_UNEXPLAINED:
+        place = ground.unexplained_places[0]
+        yield messages.MOSAIC_UNEXPLAINED(share=100 * ground.unexplained, x=place.x, y=place.y)
+    if ground.unseen:
+        place = ground.unseen[0]
+        yield messages.BORDERS_WITHOUT_SEAM(
+            metres=sum(border.metres for border in ground.unseen), longest=place.metres, x=place.x, y=place.y
+        )
+
+
+def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
+    """What the given seams say themselves of which source each part came from."""
+    cells = request.given.cells if request.given else ()
+    numbers, _ = request.numbers_named({cell.source for cell in cells})
+    by_source: dict[int, list[ogr.Geometry]] = {}
+    for cell in cells:
+        if cell.source in numbers:
+            by_source.setdefault(numbers[cell.source], []).append(ogr.CreateGeometryFromWkb(cell.wkb))
+    return tuple(
+        SourcePolygon(source, bytes(multipolygon(parts).ExportToWkb())) for source, parts in sorted(by_source.items())
+    )
+
 
 JOURNAL_ENDING = ".scan"
 """Ending of the file beside the first output that holds what is measured until the scan is complete."""

@@ -31,8 +31,8 @@ from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SH
 from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture, loss_picture
 from ..seam_cells import UNKNOWN, cell_labels
-from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
+from ..workers import measuring
 from .measured_window import MeasuredWindow, WindowRequest, in_file_values, measure_window
 from .window_result import PairResult, WindowResult
 

@@ -21,8 +21,7 @@ from ..inputs.mosaic_copies import leave_out_copies
 from ..seam_cells import Cell, source_stem
 from ..seamlines.seam_features import read_cells
 from ..source_images import Source, gather_sources, have_same_grid
-from ..while_measuring import measuring
-from ..workers import Workers, in_order, unforeseen
+from ..workers import Workers, in_order, measuring, unforeseen
 from .explained_window import explain_window
 from .measured_window import (
     InspectionSettings,

@@ -11,7 +11,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
 from seam_inspector.plugin.seams.measure.scan.whole_scan import scan
 from seam_inspector.plugin.seams.measure.source_images import gather_sources, whole_images

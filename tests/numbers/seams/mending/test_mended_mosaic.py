@@ -10,7 +10,6 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.mending.mended_mosaic import (
-    PlacedPatch,
     patch_file,
     write_mended,
 )
@@ -34,5 +33,5 @@ def test_patches_lie_above_the_mosaic_where_they_are_opaque(dtype: type, bands: 
     expected = below.copy()
     expected[PLACE][positions] = np.where(inside, made, below[PLACE][positions])
     mended = str(tmp_path / "mended.vrt")
-    write_mended(mended, mosaic, [PlacedPatch(path, WINDOW)])
+    write_mended(mended, mosaic, {path: WINDOW})
     np.testing.assert_array_equal(gdal.Open(mended).ReadAsArray().reshape(below.shape), expected)

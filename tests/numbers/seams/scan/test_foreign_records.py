@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.records import RecordFiles, packed, record_of, value_of
 from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan

@@ -14,9 +14,9 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.scan import scan_journal
-from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanInputs
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
+from seam_inspector.plugin.seams.measure.scan import block_runs
+from seam_inspector.plugin.seams.measure.scan.block_runs import ScanInputs
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.conftest import MakeRaster
@@ -101,7 +101,7 @@ def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     moved_mosaic = replace(mosaic, geotransform=(25.0, *mosaic.placement[1:]))
     first, second = (ScanInputs(placed, refs).fingerprint(None) for placed in (mosaic, moved_mosaic))
     assert first != second
-    monkeypatch.setattr(scan_journal, "plugin_version", lambda: "0")
+    monkeypatch.setattr(block_runs, "plugin_version", lambda: "0")
     assert taken(files) != before
 
 

@@ -12,8 +12,7 @@ import pytest
 from seam_inspector.plugin.imagery.errors import INFO, Message, SettingsError
 from seam_inspector.plugin.imagery.records import RecordFiles
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, held
-from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanJournal, open_journal, save
+from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, ScanJournal, held, open_journal, save
 
 from tests.numbers.disks import full_disk
 
@@ -122,7 +121,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
 WRITER = """
 import sys
 from pathlib import Path
-from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal, save
+from seam_inspector.plugin.seams.measure.scan.block_runs import open_journal, save
 journal, _ = open_journal(Path(sys.argv[1]), sys.argv[2])
 print("open", flush=True)
 done = len(journal.files.names)

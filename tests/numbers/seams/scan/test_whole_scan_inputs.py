@@ -9,7 +9,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, replacing
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanInputs
+from seam_inspector.plugin.seams.measure.scan.block_runs import ScanInputs
 
 from tests.numbers.synthetic import orthoimage, write_raster
 

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan

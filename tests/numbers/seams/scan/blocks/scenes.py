@@ -11,10 +11,9 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BlockGrid, BlockKey
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BlockGrid, BlockKey, ScanSettings
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockRequest, BlockScan, scan_block
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.block_runs import both_looks
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source

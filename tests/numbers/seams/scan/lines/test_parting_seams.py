@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.errors import SeamlineError
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.blocks.block_grid import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import given_seams
 from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature

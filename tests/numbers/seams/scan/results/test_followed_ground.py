@@ -9,9 +9,8 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
+from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, ScanSettings
 from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam
