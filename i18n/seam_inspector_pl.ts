@@ -559,7 +559,7 @@
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="355"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="350"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -804,17 +804,17 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="264"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="277"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="356"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="351"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -1159,52 +1159,52 @@
         <translation>Ocenione modele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="35"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="34"/>
         <source>Predict loss by feathering</source>
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="37"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="36"/>
         <source>Predicts, before any mosaic is made, how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="45"/>
         <source>Rectangles where seams are to run, in any reference system. The rectangle around each is measured, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="53"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="52"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="57"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="58"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa wtapiania zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="67"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="70"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="71"/>
         <source>Each pair of sources of a window: agreement of their detail, expected ratio, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
@@ -2244,17 +2244,7 @@
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="124"/>
-        <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
-        <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="125"/>
-        <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
-        <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="127"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
@@ -2269,42 +2259,42 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="168"/>
+        <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>{measure} does not reliably separate visible losses from others: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="139"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="180"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <location filename="../plugin/seams/measure/messages.py" line="177"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3958,11 +3948,6 @@
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="8"/>
-        <source>A verdict can&apos;t be given against &apos;{reference}&apos;; choose one of {known}.</source>
-        <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
@@ -4243,11 +4228,6 @@
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
-        <source>What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.</source>
-        <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>{name} covers {share:.0f} % of the window and is used there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
@@ -4258,7 +4238,7 @@
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="180"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others are in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -4348,37 +4328,37 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="134"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="81"/>
+        <location filename="../plugin/seams/jobs.py" line="76"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="83"/>
+        <location filename="../plugin/seams/jobs.py" line="78"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="84"/>
+        <location filename="../plugin/seams/jobs.py" line="79"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="223"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
@@ -4433,127 +4413,102 @@
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="188"/>
-        <source>&apos;{density}&apos; is not a density of a scan; give one of: {known}.</source>
-        <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="189"/>
-        <source>The picture of losses can&apos;t have cells of {cell} pixels; give one of: {known}.</source>
-        <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="221"/>
-        <source>{name} has no {band} band, which the mosaic is measured by, so it is not used.</source>
-        <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="279"/>
-        <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
-        <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="290"/>
+        <location filename="../plugin/seams/measure/messages.py" line="281"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="293"/>
+        <location filename="../plugin/seams/measure/messages.py" line="284"/>
         <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start it again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i zacznij ponownie z tym samym plikiem wyniku, aby kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="297"/>
+        <location filename="../plugin/seams/measure/messages.py" line="288"/>
         <source>{path} can&apos;t be read any more ({error}); start it again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); zacznij ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="315"/>
+        <location filename="../plugin/seams/measure/messages.py" line="306"/>
         <source>There is too little texture along this piece, a source ends beside it, or none explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą, ortoobraz źródłowy kończy się obok albo żaden go nie wyjaśnia; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="300"/>
-        <source>The scan was stopped; started again with the same output it continues from here.</source>
-        <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="232"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="241"/>
+        <location filename="../plugin/seams/measure/messages.py" line="235"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="244"/>
+        <location filename="../plugin/seams/measure/messages.py" line="238"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/messages.py" line="251"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/messages.py" line="254"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <location filename="../plugin/seams/measure/messages.py" line="266"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="340"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="347"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="204"/>
+        <location filename="../plugin/seams/measure/messages.py" line="199"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="366"/>
+        <location filename="../plugin/seams/measure/messages.py" line="351"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="374"/>
+        <location filename="../plugin/seams/measure/messages.py" line="359"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="210"/>
+        <location filename="../plugin/seams/measure/messages.py" line="205"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/messages.py" line="293"/>
         <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/messages.py" line="309"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -4648,37 +4603,22 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="187"/>
-        <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
-        <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="185"/>
         <source>{name} is {value:g}; give {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
-        <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
-        <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
-        <source>What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
-        <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="200"/>
+        <location filename="../plugin/seams/measure/messages.py" line="195"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="197"/>
+        <location filename="../plugin/seams/measure/messages.py" line="192"/>
         <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="191"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
@@ -4853,17 +4793,17 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="220"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="219"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="205"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="204"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="245"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="244"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -4953,7 +4893,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -4973,22 +4913,22 @@
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="262"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="262"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="234"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="234"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -4998,37 +4938,37 @@
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="377"/>
+        <location filename="../plugin/seams/measure/messages.py" line="362"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="378"/>
+        <location filename="../plugin/seams/measure/messages.py" line="363"/>
         <source>Does not overlap the mosaic.</source>
         <translation>Nie nachodzi na ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="379"/>
+        <location filename="../plugin/seams/measure/messages.py" line="364"/>
         <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
         <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="380"/>
+        <location filename="../plugin/seams/measure/messages.py" line="365"/>
         <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
         <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="381"/>
+        <location filename="../plugin/seams/measure/messages.py" line="366"/>
         <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
         <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="382"/>
+        <location filename="../plugin/seams/measure/messages.py" line="367"/>
         <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
         <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="383"/>
+        <location filename="../plugin/seams/measure/messages.py" line="368"/>
         <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
@@ -7836,7 +7776,7 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="236"/>
+        <location filename="../plugin/seams/measure/messages.py" line="230"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -7851,12 +7791,12 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="285"/>
+        <location filename="../plugin/seams/measure/messages.py" line="276"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="311"/>
+        <location filename="../plugin/seams/measure/messages.py" line="302"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -8256,17 +8196,17 @@
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="266"/>
+        <location filename="../plugin/seams/measure/messages.py" line="257"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="270"/>
+        <location filename="../plugin/seams/measure/messages.py" line="261"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="322"/>
+        <location filename="../plugin/seams/measure/messages.py" line="313"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -8576,12 +8516,12 @@
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="53"/>
         <source>Full width, from where only one image counts to where only the other does. What such a feather would leave in the whole window and in its own strip is in window_kept and strip_kept. 0 or empty: only the middle of the feather is predicted, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="64"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="63"/>
         <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and the prediction is the mean over the directions it may have.</source>
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
@@ -8596,72 +8536,52 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="271"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="266"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="408"/>
+        <location filename="../plugin/seams/measure/messages.py" line="393"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="411"/>
+        <location filename="../plugin/seams/measure/messages.py" line="396"/>
         <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="415"/>
+        <location filename="../plugin/seams/measure/messages.py" line="400"/>
         <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="426"/>
+        <location filename="../plugin/seams/measure/messages.py" line="411"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="428"/>
+        <location filename="../plugin/seams/measure/messages.py" line="413"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="429"/>
-        <source>{name} lacks bands of the mosaic: {bands}.</source>
-        <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="430"/>
+        <location filename="../plugin/seams/measure/messages.py" line="414"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="436"/>
-        <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
-        <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="440"/>
+        <location filename="../plugin/seams/measure/messages.py" line="423"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="442"/>
+        <location filename="../plugin/seams/measure/messages.py" line="425"/>
         <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="443"/>
-        <source>Mending was stopped; start it again with the same outputs to continue.</source>
-        <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="444"/>
-        <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
-        <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="445"/>
+        <location filename="../plugin/seams/measure/messages.py" line="426"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -8819,7 +8739,7 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="332"/>
+        <location filename="../plugin/seams/measure/messages.py" line="317"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -8834,12 +8754,12 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="358"/>
+        <location filename="../plugin/seams/measure/messages.py" line="343"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="370"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -8944,22 +8864,22 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="403"/>
+        <location filename="../plugin/seams/measure/messages.py" line="388"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="164"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>{measure}: all verdicts of one kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="249"/>
+        <location filename="../plugin/seams/measure/messages.py" line="243"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -9276,7 +9196,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>{field} of {count} windows is not a possible measurement; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -9291,12 +9211,12 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="432"/>
+        <location filename="../plugin/seams/measure/messages.py" line="416"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="433"/>
+        <location filename="../plugin/seams/measure/messages.py" line="417"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
@@ -9416,12 +9336,12 @@
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="418"/>
+        <location filename="../plugin/seams/measure/messages.py" line="403"/>
         <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="422"/>
+        <location filename="../plugin/seams/measure/messages.py" line="407"/>
         <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
@@ -9626,42 +9546,42 @@
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="387"/>
+        <location filename="../plugin/seams/measure/messages.py" line="372"/>
         <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="391"/>
+        <location filename="../plugin/seams/measure/messages.py" line="376"/>
         <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="395"/>
+        <location filename="../plugin/seams/measure/messages.py" line="380"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="193"/>
+        <location filename="../plugin/seams/measure/messages.py" line="188"/>
         <source>The format of SEAMS can&apos;t hold the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="216"/>
+        <location filename="../plugin/seams/measure/messages.py" line="211"/>
         <source>Nothing of the mosaic {name} could be read, so nothing was measured: {why}</source>
         <translation>Z ortofotomapy {name} nie udało się niczego odczytać, więc niczego nie zmierzono: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="218"/>
+        <location filename="../plugin/seams/measure/messages.py" line="213"/>
         <source>No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="345"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/messages.py" line="335"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -9798,12 +9718,12 @@
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="384"/>
+        <location filename="../plugin/seams/measure/messages.py" line="369"/>
         <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/messages.py" line="142"/>
         <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
@@ -9970,7 +9890,7 @@
         <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save its edits, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
@@ -10005,7 +9925,7 @@
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="306"/>
+        <location filename="../plugin/seams/measure/messages.py" line="297"/>
         <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -10045,42 +9965,42 @@
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
@@ -10095,12 +10015,12 @@
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10125,22 +10045,22 @@
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="224"/>
+        <location filename="../plugin/seams/measure/messages.py" line="218"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="228"/>
+        <location filename="../plugin/seams/measure/messages.py" line="222"/>
         <source>Along {metres:.0f} m of the seamlines, which name no orthoimage, the mosaic shows the same one on both sides: there is no seam, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="232"/>
+        <location filename="../plugin/seams/measure/messages.py" line="226"/>
         <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="247"/>
+        <location filename="../plugin/seams/measure/messages.py" line="241"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
@@ -10173,17 +10093,17 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="434"/>
+        <location filename="../plugin/seams/measure/messages.py" line="418"/>
         <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="437"/>
+        <location filename="../plugin/seams/measure/messages.py" line="420"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="438"/>
+        <location filename="../plugin/seams/measure/messages.py" line="421"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
@@ -10308,7 +10228,7 @@
         <translation>Część okna bez danych w jednym z rastrów wynosi {share:.1%}, a dopuszcza się {most:.0%}; wybierz inne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>The table {table} has no field &apos;{field}&apos;; choose the one that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -10323,7 +10243,7 @@
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="239"/>
+        <location filename="../plugin/seams/measure/messages.py" line="233"/>
         <source>{path} names no reference system, so it is taken in the mosaic&apos;s.</source>
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
@@ -10338,7 +10258,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="336"/>
+        <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
@@ -10517,12 +10437,12 @@
         <translation>{name} wynosi {limit}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="172"/>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
         <source>{measure}: no threshold is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
@@ -10532,7 +10452,7 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="399"/>
+        <location filename="../plugin/seams/measure/messages.py" line="384"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -10671,24 +10591,19 @@
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="135"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="213"/>
+        <location filename="../plugin/seams/measure/messages.py" line="208"/>
         <source>None of the orthoimages can be used, for the reasons told before; fix that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="253"/>
+        <location filename="../plugin/seams/measure/messages.py" line="247"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="257"/>
-        <source>The geometry of no feature of the seamline layer can be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
-        <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="38"/>
@@ -10826,17 +10741,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="229"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="289"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="291"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10950,7 +10865,7 @@
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <location filename="../plugin/seams/measure/messages.py" line="325"/>
         <source>The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.</source>
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
@@ -11234,7 +11149,7 @@
         <translation>Linie mozaikowania bez okna, bo leżą w oknach dłuższych linii lub poza ortofotomapą albo są krótsze niż {shortest:.2f} m: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="281"/>
+        <location filename="../plugin/seams/measure/messages.py" line="272"/>
         <source>The scan starts from the beginning, as one of its files, a setting or the plugin&apos;s version changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmienił się któryś z plików, ustawienia lub wersja wtyczki.</translation>
     </message>
@@ -11277,6 +11192,26 @@
         <location filename="../plugin/seams/desk/session.py" line="299"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="8"/>
+        <source>{name} can&apos;t be &apos;{value}&apos;; choose one of {known}.</source>
+        <translation>{name} nie może mieć wartości „{value}”; wybierz jedną z: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <source>What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; measure more of the seam.</source>
+        <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zmierz dłuższy odcinek linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="270"/>
+        <source>The work continues where it stopped; parts that are done already: {done}.</source>
+        <translation>Praca jest kontynuowana od miejsca, w którym ją przerwano; gotowe już części: {done}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="291"/>
+        <source>The work was stopped; started again with the same output it continues from here.</source>
+        <translation>Pracę przerwano; ponowiona z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
 </context>
 </TS>

@@ -209,7 +209,7 @@ def _mended(job: Mending, workers: Workers) -> list[MendedSeam]:
         _tell(step.notices)
         workers.progress(PATCHED * step.share)
     if workers.cancelled():
-        raise CancelledError(seams_messages.MENDING_STOPPED())
+        raise CancelledError(seams_messages.STOPPED())
     made = job.result(workers.part(PATCHED))
     _tell(dict.fromkeys(seam.reason.as_warning() for seam in made if seam.reason is not None))
     workers.progress(1.0)

@@ -322,7 +322,7 @@ def test_seams_that_cannot_be_mended_are_left_with_a_reason(
 @pytest.mark.parametrize(("settings", "which", "words"), [
     ({"width_m": 0}, "all", "0 m wide"), ({"width_m": -2}, "all", "-2 m wide"), ({"width_m": np.nan}, "all", "is nan"),
     ({"width_m": np.inf}, "all", "width_m is inf"), ({"blend_px": -1}, "all", "blend of -1"),
-    ({"blend_px": 2.5}, "all", "is 2.5"), ({"blend_px": 99}, "all", "blend of 99"), ({}, "x", "can't be mended"),
+    ({"blend_px": 2.5}, "all", "is 2.5"), ({"blend_px": 99}, "all", "blend of 99"), ({}, "x", "which can't be 'x'"),
 ])  # fmt: skip
 def test_settings_of_mending_are_checked(
     block: Block, scanned: ScanResult, tmp_path: Path, settings: dict[str, float], which: str, words: str

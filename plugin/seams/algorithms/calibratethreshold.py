@@ -118,10 +118,10 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         observed = [window for window in read_windows(layers.features(windows), names) if window.observer]
         judged = [window for window in observed if window.is_judged]
         run.tell(*doubts(judged))
-        both = agreement([(window.observer, window.observer_2) for window in observed])
-        if (kappa := both.kappa) is not None:
+        count, agreed, kappa = agreement([(window.observer, window.observer_2) for window in observed])
+        if kappa is not None:
             run.tell(messages.OPERATORS_AGREE(
-                count=both.count, agreed=both.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high
+                count=count, agreed=agreed, kappa=kappa.value, low=kappa.low, high=kappa.high
             ))
         unsure = sum(window.observer == UNSURE for window in observed)
         if len(judged) + unsure < len(observed):

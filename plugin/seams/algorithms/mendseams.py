@@ -114,11 +114,11 @@ class MendSeams(SeamInspectorAlgorithm):
         with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as crew, \
                 mending(request, patches, mended) as job:
             if job.done:
-                run.tell(messages.MENDING_GOES_ON(done=job.done))
+                run.tell(messages.GOES_ON(done=job.done))
             workers = Workers(*crew, run.is_cancelled, run.progress)
             follow_steps(run, job.steps(workers), PATCHED)
             if run.is_cancelled():
-                raise CancelledError(messages.MENDING_STOPPED())
+                raise CancelledError(messages.STOPPED())
             seams = job.result(workers.part(PATCHED))
         run.tell_once(seam.reason.as_warning() for seam in seams if seam.reason is not None)
         fields = column_fields(CUT_COLUMNS)

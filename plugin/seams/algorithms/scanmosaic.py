@@ -168,7 +168,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
             follow_steps(run, scan.steps(workers), MEASURED)
             result = None if run.is_cancelled() else scan.result(loss, workers.part(MEASURED))
         if result is None:
-            raise CancelledError(messages.SCAN_STOPPED())
+            raise CancelledError(messages.STOPPED())
         return result
 
     def _write(self, run: Run, result: ScanResult, request: Any) -> dict[str, Any]:

@@ -161,7 +161,7 @@ class MosaicScans(QObject):
     def _ended(self, _key: object, outcome: Outcome) -> None:
         self.news = None
         if outcome.end is End.CANCELLED:
-            self._tell(messages.SCAN_STOPPED() if self._mosaic else SCAN_WITHOUT_MOSAIC())
+            self._tell(messages.STOPPED() if self._mosaic else SCAN_WITHOUT_MOSAIC())
         self.changed.emit()
 
     def _forget(self) -> None:

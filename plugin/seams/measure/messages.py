@@ -5,7 +5,7 @@ from ...imagery.errors import INFO, WARNING, Message
 
 # settings
 LIMIT_OUT_OF_RANGE = Message("{name} is {limit}; give a number between 0 and 1.")
-REFERENCE_UNKNOWN = Message("A verdict can't be given against '{reference}'; choose one of {known}.")
+CHOICE_UNKNOWN = Message("{name} can't be '{value}'; choose one of {known}.")
 # the mosaic, its sources and its seamlines
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
 MOSAIC_OPENING = Message("The mosaic is still being opened; try again in a moment.", WARNING)
@@ -98,7 +98,7 @@ MAY_BE_SIGNIFICANT = Message(
     "seam, or judge it by eye.", INFO
 )
 INTERVAL_TOO_WIDE = Message(
-    "What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.", INFO
+    "What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; measure more of the seam.", INFO
 )
 SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and is used there.", INFO)
 SOURCE_RESAMPLED = Message(
@@ -121,8 +121,6 @@ WINDOW_FAILED = Message("The window could not be measured ({error}); please repo
 ONE_SOURCE = Message("Only one source covers the window, so nothing will be feathered there.", INFO)
 ONE_SOURCE_COMPARABLE = Message("Only one source can be compared here: {why}", INFO)
 # the feather whose loss is foretold
-WIDTH_NEGATIVE = Message("The feather is {width} m wide; give a width in metres, or 0 for its middle alone.")
-RAMP_UNKNOWN = Message("A feather can't have the ramp '{ramp}'; choose one of {known}.")
 SEAM_ASSUMED = Message(
     "Where no seamline divides a window in two, the seam is assumed to run through its middle.", INFO
 )
@@ -184,9 +182,6 @@ DETAILS_LIMITED = Message(
 )
 
 # settings of a scan
-SCAN_LEVELS = Message("The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.")
-DENSITY_UNKNOWN = Message("'{density}' is not a density of a scan; give one of: {known}.")
-SCAN_CELL = Message("The picture of losses can't have cells of {cell} pixels; give one of: {known}.")
 SCAN_LENGTHS = Message("{name} is {value:g}; give {least} or more.")
 LOSS_NOT_TIFF = Message("The picture of losses is a GeoTIFF; give {path} the ending .tif.")
 SEAMS_WITHOUT_SEAL = Message(
@@ -218,7 +213,6 @@ SOURCES_NOT_READ = Message(
     "No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along "
     "its seamlines alone: {why}"
 )
-SOURCE_WITHOUT_BAND = Message("{name} has no {band} band, which the mosaic is measured by, so it is not used.", WARNING)
 # seams as producers deliver them
 SEAMS_CUT_OFF = Message(
     "{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or "
@@ -253,9 +247,6 @@ SEAM_FEATURES_BROKEN = Message(
     "Features of the seamline layer whose geometry can't be read, left out: {count}; repair it ('Fix geometries' or "
     "ogr2ogr -makevalid).", WARNING
 )
-SEAM_FEATURES_ALL_BROKEN = Message(
-    "The geometry of no feature of the seamline layer can be read; repair it ('Fix geometries' or ogr2ogr -makevalid)."
-)
 SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING
 )
@@ -276,7 +267,7 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
     WARNING
 )
 # the journal of a scan that can go on where it stopped
-SCAN_GOES_ON = Message("The scan continues where it stopped; blocks that are done already: {done}.", INFO)
+GOES_ON = Message("The work continues where it stopped; parts that are done already: {done}.", INFO)
 SCAN_ANEW = Message(
     "The scan starts from the beginning, as one of its files, a setting or the plugin's version changed since it "
     "stopped.", WARNING
@@ -297,7 +288,7 @@ SCAN_JOURNAL_NOT_READ = Message(
     "{path} can't be read any more ({error}); start it again with the same output, and what is damaged is "
     "measured again."
 )
-SCAN_STOPPED = Message("The scan was stopped; started again with the same output it continues from here.", INFO)
+STOPPED = Message("The work was stopped; started again with the same output it continues from here.", INFO)
 SCAN_LAYER_NOT_WRITTEN = Message(
     "The layer {name} can't be written. What was measured is saved; make room on the disk, or choose another file for "
     "the layer, and start the scan again with the same picture of losses to go on."
@@ -321,12 +312,6 @@ PIECE_TOO_SHORT = Message(
 PIECE_WITHOUT_DETAIL = Message(
     "The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise "
     "there. It does not count.", INFO
-)
-PIECE_NOT_EXPLAINED = Message(
-    "None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there."
-)
-PIECE_INTERVAL_TOO_WIDE = Message(
-    "What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces."
 )
 SEAMS_WITHOUT_VERDICT = Message(
     "{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields 'state' and 'reason' say "
@@ -426,20 +411,16 @@ TONES_NOT_TOLD = Message(
     "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be determined."
 )
 PART_NOT_COVERED = Message("One of the two orthoimages has no pixels along the new cut.")
-BANDS_LACK = Message("{name} lacks bands of the mosaic: {bands}.")
 NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its patch is left out.")
 
 CUT_NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
 NOT_ON_MOSAIC = Message("The seam does not lie on this mosaic; give the seams that a scan of it found.")
 SIDES_UNKNOWN = Message("The seam does not name two of the given orthoimages; give those the mosaic was made from.")
 
-WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
 NO_WIDTH = Message("The corridor is {value:g} m wide; give more than 0.")
 NO_BLEND = Message("A blend of {value:g} pixels can't be made; give a whole number of 0 to {most}.")
 NOT_OF_A_SCAN = Message(
     "The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them."
 )
 NO_PIECES = Message("The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.")
-MENDING_STOPPED = Message("Mending was stopped; start it again with the same outputs to continue.", INFO)
-MENDING_GOES_ON = Message("Mending continues where it stopped; seams that are cut already: {done}.", INFO)
 NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

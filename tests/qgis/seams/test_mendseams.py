@@ -241,7 +241,7 @@ class StopAt(Log):
 def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, tmp_path: Path) -> None:
     log = Log()
     stopped = mend(feathered, scanned, tmp_path, StopAt(60.0))
-    assert any("Mending was stopped" in said for said in stopped.log.infos), (stopped.log.infos, stopped.results)
+    assert any("The work was stopped" in said for said in stopped.log.infos), (stopped.log.infos, stopped.results)
     ended = mend(feathered, scanned, tmp_path, log)
     assert any("continues where it stopped" in said for said in log.infos)
     assert not [said for said in (*log.warnings, *log.errors) if "please report" in said]
@@ -260,7 +260,7 @@ def test_a_cluster_mends_the_same(feathered: Files, scanned: Run, mended: Run, t
 
 def test_what_was_not_measured_is_not_written(feathered: Files, scanned: Run, tmp_path: Path) -> None:
     stopped = mend(feathered, scanned, tmp_path, StopAt(70.0))
-    assert any("Mending was stopped" in said for said in stopped.log.infos)
+    assert any("The work was stopped" in said for said in stopped.log.infos)
     assert not list(tmp_path.rglob("*.tif"))
     assert not list(tmp_path.glob("*.vrt"))
 

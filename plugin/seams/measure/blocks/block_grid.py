@@ -9,6 +9,7 @@ from itertools import product
 import numpy as np
 
 from ....imagery import limits as imagery_limits
+from ....imagery import messages as imagery_messages
 from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
@@ -57,12 +58,11 @@ class ScanSettings:
         """Raise SettingsError when a value is out of its range."""
         imagery_limits.check_settings(self, ScanSettings)
         if not 1 <= self.levels <= MOST_LEVELS:
-            raise SettingsError(messages.SCAN_LEVELS(levels=self.levels, most=MOST_LEVELS))
+            raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=self.levels, least=1, most=MOST_LEVELS))
         check_decomposition(self.wavelet, self.levels)
-        if self.density not in DENSITIES:
-            raise SettingsError(messages.DENSITY_UNKNOWN(density=self.density, known=", ".join(DENSITIES)))
-        if self.cell_px not in CELLS_PX:
-            raise SettingsError(messages.SCAN_CELL(cell=self.cell_px, known=", ".join(map(str, CELLS_PX))))
+        for name, choices in (("density", DENSITIES), ("cell_px", CELLS_PX)):
+            if (value := getattr(self, name)) not in choices:
+                raise SettingsError(messages.CHOICE_UNKNOWN(name=name, value=value, known=", ".join(map(str, choices))))
         for name, least in (("piece_m", LEAST_PIECE_M), ("corridor_m", 0.0), ("worst_count", 0)):
             if (value := getattr(self, name)) < least:
                 raise SettingsError(messages.SCAN_LENGTHS(name=name, value=value, least=f"{least:g}"))

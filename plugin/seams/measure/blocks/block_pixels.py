@@ -137,8 +137,10 @@ class BlockPixels:
                 self.has_sources = bool(self.has_sources)
                 continue
             self.has_sources = True
-            if self._band not in measured_bands(clip.raster.band_names):
-                self.notices.append(messages.SOURCE_WITHOUT_BAND(name=clip.raster.ref.name, band=self._band))
+            name, bands = clip.raster.ref.name, clip.raster.band_names
+            if self._band not in measured_bands(bands):
+                lacking = messages.BANDS_DIFFER(name=name, band=self._band, bands=", ".join(bands))
+                self.notices.append(lacking.as_warning())
                 continue
             clips[i] = clip
         if window == self._around:

@@ -121,18 +121,6 @@ class BlockScan:
     """What could be read."""
 
     @classmethod
-    def empty(cls, request: BlockRequest) -> BlockScan:
-        """A block of which nothing was measured yet."""
-        levels = request.settings.levels
-        dense, wanted = np.zeros((2, UNITS, UNITS), bool)
-        mixture, grey, grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
-        return cls(
-            request.key, request.numbers, np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), dense, wanted,
-            np.full((LABELS, LABELS), UNKNOWN, np.uint8), mixture, grey, grain, CellTable.empty(levels),
-            MixtureTable.empty(levels), np.full((UNITS, UNITS), EMPTY, np.int16),
-        )
-
-    @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
         """A block of which nothing could be measured; without notices the mosaic has no pixels there."""
         made, window = _Block(request), request.window
@@ -286,7 +274,14 @@ class _Block:
     """What becomes a BlockScan."""
 
     def __init__(self, request: BlockRequest) -> None:
-        self._scan, self._window = BlockScan.empty(request), request.window
+        levels, self._window = request.settings.levels, request.window
+        dense, wanted = np.zeros((2, UNITS, UNITS), bool)
+        mixture, grey, grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
+        self._scan = BlockScan(
+            request.key, request.numbers, np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), dense, wanted,
+            np.full((LABELS, LABELS), UNKNOWN, np.uint8), mixture, grey, grain, CellTable.empty(levels),
+            MixtureTable.empty(levels), np.full((UNITS, UNITS), EMPTY, np.int16),
+        )
         self._valid = np.ones((LABELS, LABELS), bool)
         self._plain = np.zeros((SQUARES, SQUARES), bool)
         self._learned = UNLEARNED

@@ -359,25 +359,14 @@ class Neighbourhoods:
         return visible[usable], invisible[usable]
 
 
-@dataclass(frozen=True)
-class Agreement:
-    """How often two operators said the same."""
-
-    count: int
-    """Windows that both judged."""
-    agreed: int
-    """Windows of which both said the same."""
-    kappa: Interval | None
-    """1: always agreed, 0: as often as by chance. None where one of them said one word only."""
-
-
-def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
-    """Agreement of pairs of words; where one of the two did not judge, or was not sure, a pair does not count."""
+def agreement(words: Sequence[tuple[str, str]]) -> tuple[int, int, Interval | None]:
+    """How many of the windows both operators judged, of how many they said the same, and ``cohen_kappa``; where one of
+    the two did not judge, or was not sure, a pair of words does not count."""
     table = np.zeros((2, 2), np.int64)
     for first, second in words:
         if first in DECIDED and second in DECIDED:
             table[DECIDED.index(first), DECIDED.index(second)] += 1
-    return Agreement(int(table.sum()), int(table.trace()), cohen_kappa(table))
+    return int(table.sum()), int(table.trace()), cohen_kappa(table)
 
 
 def cohen_kappa(table: np.ndarray) -> Interval | None:

@@ -46,7 +46,7 @@ class SeamRun:
 def check_what(what: str) -> None:
     """Raise SettingsError for seams that are none of ``limits.MENDED_SEAMS``."""
     if what not in MENDED_SEAMS:
-        raise SettingsError(messages.WHAT_UNKNOWN(what=what, known=", ".join(MENDED_SEAMS)))
+        raise SettingsError(messages.CHOICE_UNKNOWN(name="which", value=what, known=", ".join(MENDED_SEAMS)))
 
 
 def given_pieces(

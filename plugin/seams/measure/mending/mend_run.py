@@ -286,7 +286,9 @@ def _named(clip: Clip, names: Sequence[str]) -> np.ndarray:
     held = clip.raster.band_names
     missing = [name for name in names if name not in held]
     if missing:
-        raise RasterError(messages.BANDS_LACK(name=clip.raster.ref.name, bands=", ".join(missing)))
+        raise RasterError(messages.BANDS_DIFFER(
+            name=clip.raster.ref.name, band=", ".join(missing), bands=", ".join(held)
+        ))
     return clip.bands[[held.index(name) for name in names]]
 
 

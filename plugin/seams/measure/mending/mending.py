@@ -243,7 +243,7 @@ class Mending:
         with whole_scan(ScanRequest(mended, request.sources, settings, GivenSeams(seams, (), ())), Path(path)) as scan:
             result, _ = scan.measured("", workers)
         if result is None:
-            raise CancelledError(messages.MENDING_STOPPED())
+            raise CancelledError(messages.STOPPED())
         kept: dict[int, float] = {}
         numbers = list(cuts)
         for judged in result.pieces:

@@ -59,9 +59,9 @@ class ForecastSettings:
         """Raise SettingsError when a value is out of its range."""
         check_decomposition(self.wavelet, self.levels)
         if not 0 <= self.width_m < np.inf:
-            raise SettingsError(messages.WIDTH_NEGATIVE(width=self.width_m))
+            raise SettingsError(messages.SCAN_LENGTHS(name="width_m", value=self.width_m, least=0))
         if self.ramp not in RAMPS:
-            raise SettingsError(messages.RAMP_UNKNOWN(ramp=self.ramp, known=", ".join(RAMPS)))
+            raise SettingsError(messages.CHOICE_UNKNOWN(name="ramp", value=self.ramp, known=", ".join(RAMPS)))
 
 
 @dataclass(frozen=True)

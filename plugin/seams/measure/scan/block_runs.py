@@ -16,7 +16,7 @@ from hashlib import blake2b
 from itertools import chain
 from operator import attrgetter
 from pathlib import Path
-from typing import Any, Callable, TypeVar
+from typing import Any, Callable
 
 import numpy as np
 
@@ -42,7 +42,6 @@ from ..workers import Workers, in_order, unforeseen
 from .scan_request import ScanRequest
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
-_Kept = TypeVar("_Kept")
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +139,7 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
     if journal.was_of is not None and journal.was_of != fingerprint:
         return journal, messages.SCAN_ANEW()
     done = len(journal.files.names)
-    return journal, messages.SCAN_GOES_ON(done=done) if done else None
+    return journal, messages.GOES_ON(done=done) if done else None
 
 
 class ScanJournal(RecordFolder):
@@ -164,18 +163,6 @@ def save(files: RecordFiles, name: str, payload: bytes) -> None:
 def not_saved(files: RecordFiles, reason: Message | str) -> SettingsError:
     """Why something could not be kept."""
     return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(path=files.folder, error=reason, done=len(files.names)))
-
-
-def loaded(files: RecordFiles, name: str, kind: type[_Kept]) -> _Kept | None:
-    """The instance of a class that was kept; None where nothing was. Raises SettingsError where it can't be read any
-    more; it is then forgotten, and measured again when the scan is started again."""
-    try:
-        record = files.load(name)
-        return None if record is None else value_of(kind, record, sentences_of(imagery_messages, messages))
-    except (OSError, NotUnderstoodError) as error:
-        files.forget(name)
-        why = system_reason(error) if isinstance(error, OSError) else str(error)
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=why)) from None
 
 
 _AS_WELL, _LEAST_LEFT = 1.3, 0.002
@@ -289,8 +276,16 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
 
 
 def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:
-    """The scan that was kept of one block; None where there is none. Raises SettingsError as ``loaded`` does."""
-    return loaded(files, _name(look, key), look.kind)
+    """The scan that was kept of one block; None where there is none. Raises SettingsError where it can't be read any
+    more; it is then forgotten, and measured again when the scan is started again."""
+    name = _name(look, key)
+    try:
+        record = files.load(name)
+        return None if record is None else value_of(look.kind, record, sentences_of(imagery_messages, messages))
+    except (OSError, NotUnderstoodError) as error:
+        files.forget(name)
+        why = system_reason(error) if isinstance(error, OSError) else str(error)
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=why)) from None
 
 
 def _name(look: BlockLook, key: BlockKey) -> str:

@@ -23,7 +23,7 @@ from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ....imagery.raster_writer import GEOTIFF, whole_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import RecordFiles, record_of
+from ....imagery.records import RecordFiles
 from ....imagery.seam_totals import KeptBeside, profile_text
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED, BlockScan
@@ -37,7 +37,7 @@ from ..seam_cells import NONE
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, sources_beside
 from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..workers import measuring
-from .block_runs import block_labels, global_numbers, loaded, save, whole_block
+from .block_runs import block_labels, global_numbers, whole_block
 from .scan_result import PieceFigures
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
@@ -178,20 +178,22 @@ class BlockOutputs:
     """(UNITS, UNITS) int32: as ``BlockScan`` has it, with the numbers of the whole scan."""
 
 
-_GROUND = "ground {} {}"  # name of what is kept beside a block
+def _ground_of(files: RecordFiles, key: BlockKey, scan: BlockScan) -> list[LevelGround | None]:
+    """What the ground of a block, or of that with its neighbours, makes one expect, by level."""
 
+    def with_neighbours() -> CellTable:
+        near = [(key[0] + down, key[1] + across) for down, across in product((-1, 0, 1), repeat=2) if down or across]
+        measured = [whole_block(files, beside) for beside in near]
+        return CellTable.joined([scan.cells, *(beside.cells for beside in measured if beside is not None)])
 
-@dataclass(frozen=True)
-class _BlockGround:
-    levels: tuple[LevelGround | None, ...]
+    return grounds(scan.cells, with_neighbours)
 
 
 @measuring()
 def block_outputs(
     files: RecordFiles, size: tuple[int, int], cell_px: int, traces: bool, key: BlockKey
 ) -> BlockOutputs:
-    """Outputs of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was
-    measured can't be read any more, or nothing can be kept.
+    """Outputs of one block. Raises SettingsError where what was measured can't be read any more.
 
     ``size``: columns and rows of labels of the whole mosaic; ``cell_px``: side of the picture's cells, 0 where none is
     wanted; ``traces``: whether borders are.
@@ -206,15 +208,7 @@ def block_outputs(
         edges = cleaned_edges(_labels_in(around, files, key, labels), tile, size, LABEL_PX)
     if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
-
-    def with_neighbours() -> CellTable:
-        near = [(key[0] + down, key[1] + across) for down, across in product((-1, 0, 1), repeat=2) if down or across]
-        measured = [whole_block(files, beside) for beside in near]
-        return CellTable.joined([scan.cells, *(beside.cells for beside in measured if beside is not None)])
-
-    ground = grounds(scan.cells, with_neighbours)
-    save(files, _GROUND.format(*key), record_of(_BlockGround(tuple(ground))))
-    cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
+    cells = loss_cells(scan, labels + 1, _ground_of(files, key, scan), cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
     used = np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]).tolist()
@@ -262,8 +256,7 @@ def measure_pieces(
         if scan is not None:
             whole = global_numbers(scan.sources)
             mixture = replace(scan.beside, source=whole[scan.beside.source], other=whole[scan.beside.other])
-            held = loaded(files, _GROUND.format(*key), _BlockGround)
-            ground = held.levels if held else ()
+            ground = _ground_of(files, key, scan)
             sums.add(scan.cells.within(place), mixture.within(place), ground, window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])

@@ -24,7 +24,7 @@ from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM,
 from .. import messages
 from ..following.likely_source import MIN_FIT
 from ..following.unexplained import MIN_TEXTURE
-from ..judgement.verdicts import MAX_KEPT_LOW, Verdict, judge_profile
+from ..judgement.verdicts import Verdict, judge_profile
 from ..judgement.visibility import visibility
 from ..planning.window_placing import PlacedWindow, WindowIndex
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -113,13 +113,11 @@ def judge_piece(
         why: Message | None = short or messages.PIECE_NOT_MEASURED()
     # What little is left where detail was brushed away resembles no source.
     elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
-        why = messages.PIECE_NOT_EXPLAINED()
+        why = messages.COMPOSITE_UNCLEAR()
     elif profile.is_between_copies and (profile.kept[0] or 0) > STANDARD_LEAST_KEPT:
         why = messages.SAME_ALONG_THE_SEAM()
     else:
         verdict, why = judge_profile(profile)
-        if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
-            why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
         has_verdict = verdict is not Verdict.NOT_COMPARABLE
         state = piece_state(profile.kept[0], profile.low, profile.high, STANDARD_LEAST_KEPT, has_verdict)
         if state is not PieceState.NOT_MEASURED or not is_even:

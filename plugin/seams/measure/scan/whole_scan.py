@@ -355,7 +355,7 @@ def scan(
             result, of_steps = whole.measured(os.fspath(loss), workers)
             notices += [*filter(None, [whole.notice]), *of_steps]
             if result is None:
-                raise CancelledError(messages.SCAN_STOPPED() if loss else CANCELLED())
+                raise CancelledError(messages.STOPPED() if loss else CANCELLED())
             whole.finish()
     result = result if block.sheet is None else _of_sheet(result, block.sheet, len(block.mosaic.ref.parts))
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))

@@ -212,7 +212,7 @@ def gathered(
     if lines.elsewhere:
         raise SeamsElsewhereError(messages.SEAMS_ELSEWHERE(count=lines.elsewhere))
     if lines.broken:
-        raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
+        raise SeamlineError(messages.SEAM_FEATURES_BROKEN(count=lines.broken))
     raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())
 
 

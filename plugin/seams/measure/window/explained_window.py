@@ -29,7 +29,7 @@ from ..judgement.verdicts import (
 )
 from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
-from ..profile.window_detail import LossPicture, loss_picture
+from ..profile.window_detail import LossPicture, WindowDetail, loss_picture
 from ..seam_cells import UNKNOWN, cell_labels
 from ..window_records import COMPOSITE, SEAM
 from ..workers import measuring
@@ -69,16 +69,15 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
 @measuring()
 def window_lost(measured: MeasuredWindow) -> LossPicture | None:
     """Picture of where a window lost its sources' detail, as its explanation has it; None where that can't be told."""
-    if not measured.is_explicable:
-        return None
-    settings, ground = measured.request.settings, _ground(measured)
-    if ground.is_unclear:
-        return None
-    return loss_picture(ground.detail(settings.wavelet, settings.levels), ground.expected.labels, ground.inside)
+    ground, detail = _detail(measured) if measured.is_explicable else (None, None)
+    return None if ground is None or detail is None else loss_picture(detail, ground.expected.labels, ground.inside)
 
 
-def _ground(measured: MeasuredWindow) -> JudgedGround:
-    return ground_of(measured.mosaic, measured.judged, known_labels(measured.request, measured.judged))
+def _detail(measured: MeasuredWindow) -> tuple[JudgedGround, WindowDetail | None]:
+    """The ground of a window, and what it has of its sources' detail, None where these say too little of it."""
+    settings = measured.request.settings
+    ground = ground_of(measured.mosaic, measured.judged, known_labels(measured.request, measured.judged))
+    return ground, None if ground.is_unclear else ground.detail(settings.wavelet, settings.levels)
 
 
 def _in_file_values(explanation: Explanation, mosaic_factor: float, factors: Sequence[float]) -> Explanation:
@@ -204,7 +203,5 @@ def read_live(request: WindowRequest, read_each: ReadEach) -> MeasuredWindow | N
 @measuring()
 def live_profile(measured: MeasuredWindow) -> SeamProfile | None:
     """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
-    if not measured.judged:
-        return None
-    settings, ground = measured.request.settings, _ground(measured)
-    return None if ground.is_unclear else ground.detail(settings.wavelet, settings.levels).profile
+    detail = _detail(measured)[1] if measured.judged else None
+    return None if detail is None else detail.profile

@@ -107,7 +107,8 @@ class InspectionSettings:
             if not 0 < limit < 1:
                 raise SettingsError(messages.LIMIT_OUT_OF_RANGE(name=name, limit=limit))
         if self.reference not in REFERENCES:
-            raise SettingsError(messages.REFERENCE_UNKNOWN(reference=self.reference, known=", ".join(REFERENCES)))
+            known = ", ".join(REFERENCES)
+            raise SettingsError(messages.CHOICE_UNKNOWN(name="reference", value=self.reference, known=known))
 
 
 @dataclass(frozen=True)

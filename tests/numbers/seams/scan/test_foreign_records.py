@@ -37,7 +37,7 @@ FOREIGN: dict[str, Callable[[bytes], bytes]] = {
     "noise": lambda record: np.random.default_rng(1).bytes(5000),
     "cut off": lambda record: record[: len(record) // 2],
     "no table": lambda record: packed({"key": np.array([0, 0])}),
-    "what lacks something": changed(notices=(messages.SOURCE_WITHOUT_BAND(name="a", band="red"),)),
+    "what lacks something": changed(notices=(messages.NO_SOURCE_USABLE(),)),
     "boundless": boundless,
 }
 

@@ -60,7 +60,7 @@ def test_what_was_saved_is_there(path: Path) -> None:
     journal.close()
     records, notice = reopened(path)
     assert records == {**RESULTS, "block 0 0": b"anew"}
-    assert str(notice) == "The scan continues where it stopped; blocks that are done already: 3."
+    assert str(notice) == "The work continues where it stopped; parts that are done already: 3."
     assert notice.level is INFO
 
 
@@ -162,7 +162,7 @@ def test_killed_at_random_moments_it_has_all_that_was_told_to_be_done(path: Path
         numbers = writer.communicate()[0].split()
         records, notice = reopened(path)
         assert len(records) >= (int(numbers[-1]) if numbers else 0)
-        assert sentence(notice) in (None, messages.SCAN_GOES_ON.template)
+        assert sentence(notice) in (None, messages.GOES_ON.template)
         assert records == {str(n): str(n).encode() * (1 + n % 30_000) for n in range(len(records))}
     assert records
 

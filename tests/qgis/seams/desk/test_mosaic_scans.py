@@ -85,7 +85,7 @@ def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> Non
     wait_until(lambda: not desk.scans.is_at_work, "for the end")
     settle(0.1)
     assert names(desk.folder) == ["ortho_loss.tif.scan"]
-    assert desk.messages == ["The scan was stopped; started again with the same output it continues from here."]
+    assert desk.messages == ["The work was stopped; started again with the same output it continues from here."]
     desk.messages.clear()
     desk.scan()
     assert "continues" in desk.messages[0]
