@@ -92,7 +92,7 @@ def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator
     from .acceptance.paper.defect_files import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
     from .imagery.limits import has_colours
     from .seams.clip_pictures import make_pictures
-    from .seams.measure.window.explained_window import WindowComposite, window_composite
+    from .seams.measure.window.explained_window import window_composite
     from .toolkit.picture_stretch import brightness
 
     pictures, ranges = make_pictures(request)
@@ -101,8 +101,8 @@ def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator
     mosaic, *images = pictures
     yield ProofPanel(MOSAIC_PANEL, "", _part(mosaic.pixels, part))
     images = sorted(sorted(images, key=lambda image: -image.covered)[:_MOST_IMAGES], key=lambda image: image.raster)
-    if isinstance(composite := window_composite(request), WindowComposite):
-        cut = brightness(composite.bands[: 3 if has_colours(composite.names) else 1], ranges)
+    if isinstance(composite := window_composite(request), tuple):
+        cut = brightness(composite[1][: 3 if has_colours(composite[0]) else 1], ranges)
         shown = [_part(pixels, part) for pixels in (cut, *(image.pixels for image in images))]
         least = [min(pixels.std(axis=axis).min() for axis in (0, 1)) for pixels in shown]
         if least[0] > 0.5 * min(least[1:], default=0):  # it is levelled, and flat where the mosaic follows nothing

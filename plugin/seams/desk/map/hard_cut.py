@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
 from qgis.core import QgsProject, QgsRasterLayer, QgsRasterMinMaxOrigin
@@ -30,7 +30,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.project_settings import unmodified
 from ....toolkit.reference_systems import keep_system, reference_system
 from ....toolkit.translation import sentence, tr
-from ...measure.window.explained_window import WindowComposite, window_composite
+from ...measure.window.explained_window import window_composite
 from ...measure.window.measured_window import WindowRequest
 
 if TYPE_CHECKING:
@@ -158,8 +158,8 @@ def composite_job(request: WindowRequest, path: str) -> Job:
     return job
 
 
-def write_composite(composite: WindowComposite, request: WindowRequest, path: str) -> None:
-    """Write a composite as a raster that differs from the mosaic's window in the composite's pixels only.
+def write_composite(composite: tuple[tuple[str, ...], Any], request: WindowRequest, path: str) -> None:
+    """Write a composite, names and bands, as a raster that differs from the mosaic's window in its pixels only.
 
     Raises RasterError when the mosaic can't be read.
     """
@@ -168,7 +168,7 @@ def write_composite(composite: WindowComposite, request: WindowRequest, path: st
     place = window.column, window.row, window.width, window.height
     failure = imagery_messages.NOT_READABLE(name=mosaic.ref.name)
     pixels = gdal_call(lambda: mosaic.dataset.ReadAsArray(*place), failure).reshape(-1, window.height, window.width)
-    for name, band in zip(composite.names, composite.bands):
+    for name, band in zip(*composite):
         pixels[mosaic.roles.indices[mosaic.roles.names.index(name)]] = band
     grid = request.mosaic.grid
     left, _, _, top = grid.window_extent(window)

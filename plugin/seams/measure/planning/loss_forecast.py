@@ -139,7 +139,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     """
     if request.extent is None:
         return not_foretold(request, request.reason)
-    opened = one_by_one((source.ref, _on_map) for source in request.sources)
+    opened = one_by_one((source.ref, lambda raster: placed(raster.raster) and raster) for source in request.sources)
     sources = [raster for raster in opened if isinstance(raster, OpenRaster)]
     unreadable = [error.message.as_warning() for error in opened if isinstance(error, RasterError)]
     # The band that most are judged by, so that a source of other bands does not cost all the others.
@@ -170,11 +170,6 @@ def forecast_window(request: ForecastRequest) -> Forecast:
         _reason(len(clips), pairs, tuple(notices[: imagery_limits.MAX_REASONS])),
         (*notices, *assumed),
     )
-
-
-def _on_map(raster: OpenRaster) -> OpenRaster:
-    placed(raster.raster)
-    return raster
 
 
 def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:

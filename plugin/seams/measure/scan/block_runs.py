@@ -95,11 +95,8 @@ def _digest(items: Iterable[object]) -> str:
     """Digest of arrays, and of values whose text does not depend on the process."""
     digest = blake2b(digest_size=12)
     for item in items:
-        parts = [repr(item).encode()]
-        if isinstance(item, np.ndarray):
-            parts = [f"{item.dtype.str} {item.shape}".encode(), np.ascontiguousarray(item).tobytes()]
-        for part in parts:
-            digest.update(f"{len(part)}:".encode() + part)
+        value = (item.dtype.str, item.shape, item.tobytes()) if isinstance(item, np.ndarray) else item
+        digest.update(f"{value!r}\n".encode())
     return digest.hexdigest()
 
 

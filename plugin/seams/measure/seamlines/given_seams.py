@@ -51,17 +51,18 @@ def given_seams(
     ambiguous = {name for name, places in meant.items() if len(places) > 1}
     pieces = gathered(held, fields, grid, ambiguous)
     network = _Network(grid)
-    if pieces.rings:
-        network.add_polygons(pieces.rings, pieces.ring_owners)
-    if pieces.lines:
-        network.add_lines(pieces.lines, pieces.line_sides)
-    named = any(map(owner_name, chain(pieces.ring_owners, *pieces.line_sides)))
+    owners, sides = [owner for _, owner in pieces.rings], [of_line for _, of_line in pieces.lines]
+    if owners:
+        network.add_polygons([ring for ring, _ in pieces.rings], owners)
+    if sides:
+        network.add_lines([line for line, _ in pieces.lines], sides)
+    named = any(map(owner_name, chain(owners, *sides)))
 
     def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
         return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
 
     seams = sorted(network.seams(), key=longest_first)
-    if not seams and not pieces.lines and len({*pieces.ring_owners}) == 1:
+    if not seams and not sides and len({*owners}) == 1:
         raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
     if not seams:
         raise SeamlineError(

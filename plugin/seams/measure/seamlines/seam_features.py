@@ -159,14 +159,11 @@ _UNNAMED = "\x1f"
 class GatheredLines:
     """What the features of a layer hold on the mosaic."""
 
-    lines: list[np.ndarray] = field(default_factory=list)
-    """(n,) complex each, map units."""
-    line_sides: list[tuple[str, str]] = field(default_factory=list)
-    """What lies left and right of each, empty where nothing is said."""
-    rings: list[np.ndarray] = field(default_factory=list)
-    """(n,) complex each, map units, the interior on their left."""
-    ring_owners: list[str] = field(default_factory=list)
-    """The source that each belongs to, else the feature; ``owner_name`` says what it is called."""
+    lines: list[tuple[np.ndarray, tuple[str, str]]] = field(default_factory=list)
+    """(n,) complex each, map units, and what lies left and right of it, empty where nothing is said."""
+    rings: list[tuple[np.ndarray, str]] = field(default_factory=list)
+    """(n,) complex each, map units, the interior on their left, and the source that it belongs to, else the feature;
+    ``owner_name`` says what that is called."""
     cells: list[Cell] = field(default_factory=list)
     """Polygons that name their source."""
     dates: dict[str, set[str]] = field(default_factory=dict)
@@ -229,18 +226,16 @@ def _gather(
             lines.dates.setdefault(name, set()).add(day)
     for part in seamlines.simple_parts(geometry):
         if seamlines.is_polygon(part):
-            rings = [_finite(ring) for ring in seamlines.polygon_rings(part, number)]
+            rings = [(_finite(ring), owner) for ring in seamlines.polygon_rings(part, number)]
             with gdal_silenced():
                 is_valid = part.IsValid()
                 polygon = part if is_valid else part.MakeValid()
             lines.repaired += not is_valid
             lines.rings += rings
-            lines.ring_owners += [owner] * len(rings)
             if source:
                 lines.cells.append(Cell(source, bytes(polygon.ExportToWkb(ogr.wkbNDR)), _extent(polygon)))
         elif part.GetPointCount() > 1:
-            lines.lines.append(_finite(seamlines.line_points(part)))
-            lines.line_sides.append(sides)
+            lines.lines.append((_finite(seamlines.line_points(part)), sides))
 
 
 def _finite(points: np.ndarray) -> np.ndarray:

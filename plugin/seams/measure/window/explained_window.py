@@ -158,18 +158,13 @@ def _pairs(mosaic: MeasuredClip, source: MeasuredClip, changes: Mapping[str, Cha
     ]
 
 
-@dataclass(frozen=True, eq=False)
-class WindowComposite:
-    """The cut that the inspection compares the mosaic with, in the mosaic's grey values."""
+def window_composite(request: WindowRequest) -> tuple[tuple[str, ...], np.ndarray] | Message:
+    """The cut that the inspection compares the mosaic with: each pixel from the source that the mosaic follows there,
+    its own where none explains it; why there is no cut where none does.
 
-    names: tuple[str, ...]
-    """Bands that the mosaic and all its sources have."""
-    bands: np.ndarray
-    """(bands, rows, columns) in the mosaic's data type; the mosaic's own pixels where no source explains them."""
-
-
-def window_composite(request: WindowRequest) -> WindowComposite | Message:
-    """Each pixel from the source that the mosaic follows there; why there is none where none explains it."""
+    The names of the bands that the mosaic and all its sources have, and (bands, rows, columns) in the mosaic's grey
+    values and data type.
+    """
     measured = measure_window(request)
     if measured is None or isinstance(measured, Message):
         return measured or messages.COMPOSITE_UNCLEAR()
@@ -179,7 +174,7 @@ def window_composite(request: WindowRequest) -> WindowComposite | Message:
     if cut.ground.is_unclear:
         return messages.COMPOSITE_UNCLEAR()
     levelled = cut.levelled / measured.mosaic.grey_factor
-    return WindowComposite(cut.mosaic.names, as_type(levelled, cut.mosaic.bands.dtype))
+    return cut.mosaic.names, as_type(levelled, cut.mosaic.bands.dtype)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.desk.map.hard_cut import looks_alike, write_composite
-from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite
 from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 
 from tests.numbers.synthetic import orthoimage, write_raster
@@ -31,7 +30,7 @@ def test_bands_lie_where_the_mosaic_has_them(tmp_path: Path, dtype: str, qgis_ap
     dataset = None
     mosaic = describe_mosaic(RasterRef(str(path)))
     red, green, blue = (np.full((96, 128), value, dtype) for value in (210, 120, 30))
-    composite = WindowComposite(("red", "green", "blue"), np.stack([red, green, blue]))
+    composite = ("red", "green", "blue"), np.stack([red, green, blue])
     target = tmp_path / "composite.tif"
     write_composite(composite, WindowRequest(1, mosaic, (), WINDOW, InspectionSettings()), str(target))
     written = gdal.Open(str(target))
