@@ -276,10 +276,6 @@ SCAN_INPUT_CHANGED = Message(
     "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
     "with the same output, and it is measured again."
 )
-SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or choose another output.")
-SCAN_JOURNAL_IN_USE = Message(
-    "Another scan is writing this output ({path}); wait until it has ended, or choose another output."
-)
 SCAN_JOURNAL_NOT_SAVED = Message(
     "{path} can't be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and "
     "start it again with the same output to go on."

@@ -127,12 +127,9 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
     """
     try:
         journal = ScanJournal(path, _KIND, fingerprint)
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
-    except SettingsError as error:
-        if error.message.template == imagery_messages.RECORDS_IN_USE.template:
-            raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
-        raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
+    except (OSError, SettingsError) as error:
+        why = error.message if isinstance(error, SettingsError) else system_reason(error)
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=why)) from None
     if journal.was_of is not None and journal.was_of != fingerprint:
         return journal, messages.SCAN_ANEW()
     done = len(journal.files.names)
