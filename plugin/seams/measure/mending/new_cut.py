@@ -19,7 +19,7 @@ from ....imagery.errors import Message
 from ....imagery.lines import vertex_stations
 from ....imagery.shifts import MIN_TILE_SHARE, Shift, find_shift, shifted
 from .. import messages
-from ..following.boxes import box_means, enlarged, in_squares
+from ..following.boxes import box_means, enlarged, in_squares, square_shares
 from ..following.levelling import SQUARE_PX, gain_field, square_means, to_pixels
 from ..following.source_filters import UNTOUCHED, filtered
 from ..judgement.hard_cut import JudgedGround
@@ -48,12 +48,12 @@ def cutting_cost(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> np
     """
     gain = gain_field(square_means(first), square_means(second), square_means(valid) == 1)
     rest = first - to_pixels(gain, first.shape) * second
-    known, mean = in_squares(valid, CELL_PX).all(axis=(1, 3)), _by_cell(rest)
+    known, mean = in_squares(valid, CELL_PX).all(axis=(1, 3)), square_shares(rest, CELL_PX)
     weight, near = (
         ndimage.gaussian_filter(np.asarray(plane, np.float32), _FAR) for plane in (known, np.where(known, mean, 0))
     )
     tones = mean - near / np.maximum(weight, 1e-6)
-    fine = np.maximum(_by_cell(np.square(rest)) - np.square(mean), 0)
+    fine = np.maximum(square_shares(np.square(rest), CELL_PX) - np.square(mean), 0)
     return np.where(known, fine + np.square(tones), np.float32(np.inf))
 
 
@@ -113,7 +113,8 @@ def fit_along(
     if misfit is not None:
         return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None, far
     beside &= in_squares(valid, CELL_PX).all(axis=(1, 3))
-    a, b = ((cells - ndimage.uniform_filter(cells, _WIDE))[beside] for cells in map(_by_cell, (first, second)))
+    cells = (square_shares(plane, CELL_PX) for plane in (first, second))
+    a, b = ((means - ndimage.uniform_filter(means, _WIDE))[beside] for means in cells)
     alike = float(a @ b) >= LEAST_ALIKE * float(np.sqrt((a @ a) * (b @ b)))
     return None, None if alike else messages.IMAGES_UNLIKE(), far
 
@@ -129,10 +130,6 @@ def _apart(first: np.ndarray, second: np.ndarray, valid: np.ndarray, crossed: np
         for plane in (first, second, shifted(second, shift.x, shift.y))
     )
     return shift if np.square(a - moved).sum() < np.square(a - b).sum() else None
-
-
-def _by_cell(plane: np.ndarray) -> np.ndarray:
-    return np.asarray(in_squares(plane, CELL_PX).mean(axis=(1, 3)))
 
 
 FEWEST_SQUARES = 48

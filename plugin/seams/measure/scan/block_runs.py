@@ -71,11 +71,15 @@ class ScanInputs:
         ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes.
         """
         ref, files = self.mosaic.ref, zip(self._paths, self._states)
-        return _digest((
+        digest = blake2b(digest_size=12)
+        for item in (
             plugin_version(), *((paths, *states.items()) for paths, states in files),
             ref.wkt, ref.nodata, self.mosaic.geotransform, self.mosaic.wkt,
             *((source.ref.wkt, source.ref.nodata, source.extent) for source in self.sources), settings, *seams,
-        ))
+        ):  # texts that do not depend on the process
+            value = (item.dtype.str, item.shape, item.tobytes()) if isinstance(item, np.ndarray) else item
+            digest.update(f"{value!r}\n".encode())
+        return digest.hexdigest()
 
     def check(self) -> None:
         """Raise SettingsError where a raster has changed meanwhile."""
@@ -89,15 +93,6 @@ class ScanInputs:
         """What layers say of them."""
         of_mosaic, of_sources = self._states
         return {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
-
-
-def _digest(items: Iterable[object]) -> str:
-    """Digest of arrays, and of values whose text does not depend on the process."""
-    digest = blake2b(digest_size=12)
-    for item in items:
-        value = (item.dtype.str, item.shape, item.tobytes()) if isinstance(item, np.ndarray) else item
-        digest.update(f"{value!r}\n".encode())
-    return digest.hexdigest()
 
 
 _KIND = "Seam Inspector: journal of a scan"

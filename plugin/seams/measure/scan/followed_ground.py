@@ -23,7 +23,7 @@ from ....imagery.shifts import find_shift
 from ..blocks.block_grid import UNIT_PX, BlockGrid
 from ..blocks.block_pixels import BlockPixels
 from ..blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
-from ..following.boxes import in_squares
+from ..following.boxes import square_shares
 from ..following.placed_sources import FARTHEST_FILTERED_PX
 from ..seamlines.seam_pieces import SeamPiece
 from .scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX, ScanRequest
@@ -295,11 +295,8 @@ def _shifts_at(request: ScanRequest, place: GroundPlace) -> Iterator[tuple[float
         planes = BlockPixels(request.mosaic, refs, window, None).part(window, range(len(refs)))
     except RasterError:  # which the blocks told
         return
+    mosaic = square_shares(planes.mosaic, _STEP_PX)
     for source in planes.sources.values():
-        valid = None if source.valid is None else _means(source.valid) == 1
-        if (shift := find_shift(_means(planes.mosaic), _means(source.plane), valid)) is not None:
+        valid = None if source.valid is None else square_shares(source.valid, _STEP_PX) == 1
+        if (shift := find_shift(mosaic, square_shares(source.plane, _STEP_PX), valid)) is not None:
             yield _STEP_PX * shift.x, _STEP_PX * shift.y
-
-
-def _means(plane: np.ndarray) -> np.ndarray:
-    return np.asarray(in_squares(plane, _STEP_PX).mean(axis=(1, 3), dtype=np.float32))

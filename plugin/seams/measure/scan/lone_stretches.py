@@ -19,7 +19,7 @@ from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
 from ..compared_image import ComparedImage
 from ..energy_response import bounded, log_link_fit
-from ..following.boxes import in_squares
+from ..following.boxes import in_squares, square_shares
 from ..profile.cell_table import CELL_PX, Rows
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece
 
@@ -82,10 +82,10 @@ def lone_cells(
         plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
     (details,) = placed_components(plane[np.newaxis], wavelet, 1)
     finest = np.einsum("dij,dij->ij", details[:, 0], details[:, 0])
-    colours = [_by_cell(plane)[place]]
+    colours = [square_shares(plane, CELL_PX)[place]]
     if len(bands) >= _COLOURS:
-        second = _by_cell(bands[1])[place]
-        colours += [_by_cell(bands[i])[place] - second for i in (0, 2)]
+        second = square_shares(bands[1], CELL_PX)[place]
+        colours += [square_shares(bands[i], CELL_PX)[place] - second for i in (0, 2)]
     row, column = down[near].astype(np.int32), across[near].astype(np.int32)
     energies = in_squares(finest, CELL_PX // _GRID_PX).swapaxes(1, 2)[place][near]
     cell, zone, area, energy = _parts(energies, row, column, distance[near], pieces)
@@ -116,11 +116,6 @@ def _parts(
         there // (BEYOND + 1), (there % (BEYOND + 1)).astype(np.uint8),
         (samples[there] * _GRID_PX**2).astype(np.float32), sums[there].astype(np.float32),
     )
-
-
-def _by_cell(values: np.ndarray) -> np.ndarray:
-    """Means over the cells, (rows, columns)."""
-    return np.asarray(in_squares(values, CELL_PX).mean(axis=(1, 3)))
 
 
 STRETCH_PX = 64.0

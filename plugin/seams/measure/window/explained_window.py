@@ -55,7 +55,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     ]
     explanation = _in_file_values(explanation, mosaic.grey_factor, [source.grey_factor for source in judged])
     pairs = [pair for source, changes in zip(judged, explanation.changes) for pair in _pairs(mosaic, source, changes)]
-    pairs += [pair for source in measured.only_shown for pair in _pairs(mosaic, source, {})]
+    pairs += [pair for source in measured.sources if source not in judged for pair in _pairs(mosaic, source, {})]
     judgement = _judged(paper, mosaic.curves[band], explanation, band, request)
     if Cause.MISSING_SOURCE in explanation.causes and judgement.reason is None:
         judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - explanation.explained)))

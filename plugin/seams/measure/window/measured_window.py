@@ -155,10 +155,8 @@ class MeasuredWindow:
     mosaic: MeasuredClip
     judged: tuple[MeasuredClip, ...]
     """The sources that the verdict is taken against: those of the mosaic's pixel size, or the others where none is."""
-    only_shown: tuple[MeasuredClip, ...]
-    """The other sources that can be compared."""
     sources: tuple[MeasuredClip, ...]
-    """Both, in their order."""
+    """All that can be compared, in their order."""
     paper: Judgement
     notices: tuple[Message, ...]
     """Why a source that could not be read or compared does not take part, or is only shown."""
@@ -235,7 +233,7 @@ def measure_window(
     if not judged and refused and mosaic.curves[band].variance > 0:
         why = refused[: imagery_limits.MAX_REASONS]
         paper = replace(paper, reason=messages.NO_SOURCE_COMPARABLE(why=why))
-    return MeasuredWindow(request, mosaic, tuple(judged), tuple(shown), tuple(sources), paper, tuple(notices))
+    return MeasuredWindow(request, mosaic, tuple(judged), tuple(sources), paper, tuple(notices))
 
 
 def measured_clip(raster: OpenRaster, request: WindowRequest, partly: bool, judged_only: bool) -> MeasuredClip:
