@@ -142,9 +142,16 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
     footprints, numbers = Footprints(sources[number] for number in rasters), list(rasters)
     meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
 
-    def show_same(first: int, second: int) -> bool:
+    def show_same(*numbers: int) -> bool:
         with suppress(RasterError):  # the scan says so where it needs it
-            return _show_same(opened(sources[first].ref), opened(sources[second].ref))
+            image, other = (opened(sources[number].ref) for number in numbers)
+            kinds = set()
+            for place, others_place in _shared(image.raster, other.raster):
+                block, beside = image.read(place), other.read(others_place)
+                kinds.add(_same_content(block.bands, beside.bands, block.valid & beside.valid))
+                if False in kinds:
+                    break
+            return True in kinds and False not in kinds
         return False
 
     whole = _joined(sources, (
@@ -199,17 +206,6 @@ def have_same_grid(first: Raster, second: Raster) -> bool:
     far = max(grid.columns, grid.rows, other.columns, other.rows)
     growth = max(abs(other.pixel_width / grid.pixel_width - 1), abs(other.pixel_height / grid.pixel_height - 1))
     return max(abs(column - round(column)), abs(row - round(row)), far * growth) < _MOST_OFF_PX
-
-
-def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
-    """Whether both show the same, by some places. Raises RasterError where one can't be read."""
-    kinds = set()
-    for place, others_place in _shared(first.raster, second.raster):
-        block, other = first.read(place), second.read(others_place)
-        kinds.add(_same_content(block.bands, other.bands, block.valid & other.valid))
-        if False in kinds:
-            break
-    return True in kinds and False not in kinds
 
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:
