@@ -27,22 +27,10 @@ from ..seam_cells import UNKNOWN
 from ..seamlines.seam_pieces import NearestPieces, PieceIndex
 from ..source_images import Source
 from ..workers import measuring
+from . import new_cut
 from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
-from .new_cut import (
-    CELL_PX,
-    EASED_PX,
-    FEWEST_SQUARES,
-    MIN_UNMIXED,
-    cheapest_way,
-    cutting_cost,
-    dress,
-    eased,
-    fit_along,
-    placed_bands,
-    shown_detail,
-    tone_step,
-)
+from .new_cut import CELL_PX
 
 GROUND_PX = 192
 """Around the old seam and the new cut: what tones and filters are learned of."""
@@ -151,7 +139,8 @@ def _mended(request: RunRequest) -> MendedRun:
     part = _part(request, read.window, line, way)
     ground, alone = _ground(read, part), enlarged(part.from_any > reach, CELL_PX)
     unmixed_sides = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
-    if any(np.count_nonzero(square_means(side) > MIN_UNMIXED) < FEWEST_SQUARES for side in unmixed_sides):
+    squares = [np.count_nonzero(square_means(side) > new_cut.MIN_UNMIXED) for side in unmixed_sides]
+    if min(squares) < new_cut.FEWEST_SQUARES:
         raise RasterError(messages.TONES_NOT_TOLD())
     inside, weight, valid = part.patch(reach), part.weight(request.blend_px), [read.valid(side) for side in _SIDES]
     # Of each image only what is shown has to be there.
@@ -159,17 +148,17 @@ def _mended(request: RunRequest) -> MendedRun:
     if not pixels.any():
         raise RasterError(messages.PART_NOT_COVERED())
     before, both = read.mosaic_clip.bands, valid[0] & valid[1]
-    images = [placed_bands(ground, side, _named(read.clips[side], names), valid[side]) for side in _SIDES]
+    images = [new_cut.placed_bands(ground, side, _named(read.clips[side], names), valid[side]) for side in _SIDES]
     for side, image in zip(_SIDES, images):
-        dress(ground, side, image, before, unmixed_sides[side])
+        new_cut.dress(ground, side, image, before, unmixed_sides[side])
         for name, band, shown in zip(names, image, before):
-            share = shown_detail(band, shown, unmixed_sides[side])
+            share = new_cut.shown_detail(band, shown, unmixed_sides[side])
             if share is not None and share < _LEAST_DETAIL:
                 source = read.clips[side].raster.ref.name
                 raise RasterError(messages.DETAIL_NOT_SHOWN(name=source, share=share, band=name))
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
     faded = _by_pixel(np.clip(ndimage.distance_transform_edt(inside) / _RIM_CELLS, 0, 1).astype(np.float32))
-    made = eased(images, weight, before, faded, both)  # at the patch's rim in the mosaic's tones
+    made = new_cut.eased(images, weight, before, faded, both)  # at the patch's rim in the mosaic's tones
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(bands.astype(np.float32), names) for bands in (before, after))
@@ -178,7 +167,7 @@ def _mended(request: RunRequest) -> MendedRun:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
     old_step, new_step = (
-        tone_step(shown - middle, points - corner, both) for shown, points in ((was, line), (is_now, way))
+        new_cut.tone_step(shown - middle, points - corner, both) for shown, points in ((was, line), (is_now, way))
     )
     rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
     down, across = (slice(int(places[0]), int(places[-1]) + 1) for places in (rows, columns))
@@ -195,7 +184,7 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
     first_image, second_image = (read.planes.sources[side].plane for side in _SIDES)
     both = read.valid(0) & read.valid(1)
-    cost = cutting_cost(first_image, second_image, both)
+    cost = new_cut.cutting_cost(first_image, second_image, both)
     corner = np.array([read.window.column, read.window.row])
     nearest = _beside(request.index, read.window)
     allowed = _belongs(nearest, request.run) & (nearest.distance_px <= request.reach_px)
@@ -208,10 +197,10 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
         raise RasterError(messages.NO_WAY())
     allowed[row, column] = True
     first, last = held[0], held[-1]
-    way = cheapest_way(cost, allowed, (row[first], column[first]), (row[last], column[last]))
+    way = new_cut.cheapest_way(cost, allowed, (row[first], column[first]), (row[last], column[last]))
     if way is None:
         raise RasterError(messages.NO_WAY())
-    misfit, fault, far = fit_along(way, first_image, second_image, both)
+    misfit, fault, far = new_cut.fit_along(way, first_image, second_image, both)
     if fault is not None:
         return MendedRun(request.key, fault, fitting=_fitting(request, nearest.station_m[tuple(way.T)], far))
     inner = way[1:-1, ::-1] * CELL_PX + CELL_PX / 2 + corner
@@ -329,7 +318,7 @@ class _Part:
     def patch(self, reach: float) -> np.ndarray:
         """bool: what is made anew, where the mosaic is mixed up to ``reach`` px from the old seam."""
         from_cut = CELL_PX * ndimage.distance_transform_edt(~near_border(self.on_left.view(np.uint8), 1))
-        near = (self.from_any <= reach) | (from_cut <= EASED_PX) | widened(self.flipped, 2)
+        near = (self.from_any <= reach) | (from_cut <= new_cut.EASED_PX) | widened(self.flipped, 2)
         return self.territory & near
 
 

@@ -35,20 +35,10 @@ from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, 
 from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
+from . import piece_sums
 from .block_runs import BlockRun, ScanInputs, ScanJournal, ScanStep, journal_beside
 from .followed_ground import LEAST_BESIDE, LEAST_UNEXPLAINED, FollowedGround, common_shift
 from .lone_scan import LoneScanning
-from .piece_sums import (
-    REACH_PX,
-    SOURCE_BAND,
-    LossRaster,
-    Pieces,
-    around_pieces,
-    block_outputs,
-    by_blocks,
-    loss_raster,
-    measure_pieces,
-)
 from .scan_request import ScanRequest, scan_request
 from .scan_result import (
     JudgedPiece,
@@ -92,7 +82,7 @@ class Gathering:
         CancelledError.
         """
         request, settings = self._request, self._request.settings
-        picture = loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
+        picture = piece_sums.loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
         with picture as raster:
             known = given_polygons(request)
             borders = self._borders(raster, workers.part(0, _TRACED), not (request.given and known))
@@ -166,33 +156,34 @@ class Gathering:
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
-    def _borders(self, raster: LossRaster | None, workers: Workers, traces: bool) -> list[SourceBorder]:
+    def _borders(self, raster: piece_sums.LossRaster | None, workers: Workers, traces: bool) -> list[SourceBorder]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
         edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
         cell_px = self._request.settings.cell_px if raster is not None else 0
-        work = partial(block_outputs, self._files, size, cell_px, traces)
+        work = partial(piece_sums.block_outputs, self._files, size, cell_px, traces)
         for block in workers.map(work, self._blocks, self._blocks.rows * self._blocks.columns):
             edges.append(block.edges)
             self._units[place_of(block.key, UNITS)] = block.ground
             # Their sources are numbered in the order in which the picture of losses meets them.
             shown = {source: self._shown.setdefault(source, len(self._shown) + 1) for source in block.sources}
             if raster is not None and block.cells is not None:
-                cells = block.cells.copy()
+                cells, band = block.cells.copy(), piece_sums.SOURCE_BAND - 1
                 for source, number in shown.items():
-                    cells[SOURCE_BAND - 1][block.cells[SOURCE_BAND - 1] == source + 1] = number
+                    cells[band][block.cells[band] == source + 1] = number
                 raster.write(*block.key, cells)
         return trace_borders(np.concatenate(edges, axis=1), self._blocks.grid, size[0], LABEL_PX)
 
     def _measured(self, pieces: Sequence[SeamPiece], workers: Workers) -> tuple[list[PieceFigures], float]:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
         index, named = PieceIndex(pieces, self._blocks.grid), self._request.named[0]
-        groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
+        groups = piece_sums.by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
         levels, is_given = self._request.settings.levels, self._request.given is not None
-        work = partial(measure_pieces, self._files, self._blocks, levels, is_given)
+        work = partial(piece_sums.measure_pieces, self._files, self._blocks, levels, is_given)
 
-        def near(numbers: np.ndarray) -> Pieces:
+        def near(numbers: np.ndarray) -> piece_sums.Pieces:
             held = [pieces[number] for number in numbers.tolist()]
-            around = around_pieces(held, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
+            # With what lies nearer to a cell than any of them.
+            around = piece_sums.around_pieces(held, self._blocks.grid, 2 * piece_sums.REACH_PX)
             return held, numbers, index.near(around, 0.0)
 
         of_piece, brightest = dict[int, PieceFigures](), 0.0
