@@ -17,7 +17,6 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery import limits as imagery_limits
-from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
 from ....imagery.lines import Seam, points_at, stretches_inside, vertex_stations
@@ -187,9 +186,6 @@ def window_side_px(grid: Grid, settings: PlacingSettings) -> int:
     side_px, levels = standard_side_px(grid, settings.side_m), settings.levels
     if not (math.isfinite(settings.spacing_m) and settings.spacing_m > 0):
         raise SettingsError(messages.SPACING_NOT_POSITIVE(spacing=settings.spacing_m))
-    if not imagery_limits.MIN_LEVELS <= levels <= imagery_limits.MAX_LEVELS:
-        least, most = imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
-        raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=levels, least=least, most=most))
     fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
     if side_px < fewest:  # both are powers of two, so any longer side is a multiple of 2 ** levels
         metres = math.ceil(fewest * grid.ground_sample_distance * 100) / 100

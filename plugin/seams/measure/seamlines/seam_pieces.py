@@ -2,7 +2,6 @@
 which of them is nearest to a place, for millions of places."""
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Union
@@ -10,7 +9,7 @@ from typing import Union
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ....imagery.errors import Message, SettingsError
+from ....imagery.errors import Message
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, points_at, stretches_inside, vertex_stations
 from .. import messages
@@ -70,10 +69,8 @@ def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> lis
     """Seams in pieces of equal length each, as close to ``piece_m`` metres as their length allows.
 
     What lies outside the mosaic's grid is cut off, parts inside that are shorter than a pixel too; ``cut_off`` tells
-    it. A seam shorter than half a piece is one piece. Raises SettingsError when ``piece_m`` is not a positive number.
+    it. A seam shorter than half a piece is one piece.
     """
-    if not (math.isfinite(piece_m) and piece_m > 0):
-        raise SettingsError(messages.SCAN_LENGTHS(name="piece_m", value=piece_m, least="0.01"))
     scale = np.array([grid.metres_x, grid.metres_y])
     pieces = []
     for seam_id, seam in enumerate(seams, start=1):
