@@ -327,12 +327,10 @@ def scan(
     """
     path, settings, workers = os.fspath(seamlines), settings or ScanSettings(), workers or Workers()
     ScanSettings.check(settings)
-    given, notices = None, list[Message]()
-    if path:
-        features, notices = read_seam_features(path, block.mosaic.wkt)
-        paths = [source.ref.path for source in block.sources]
+    given, notices, paths = None, list[Message](), [source.ref.path for source in block.sources]
     try:
         if path:
+            features, notices = read_seam_features(path, block.mosaic.wkt)
             given = given_seams(features, block.mosaic.grid, settings.source_field, paths)
         request, of_request = scan_request(block.mosaic, block.sources, settings, given)
     except SeamsElsewhereError as error:  # a sheet without any, of a mosaic that has some
