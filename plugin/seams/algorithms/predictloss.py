@@ -160,9 +160,9 @@ class PredictLoss(SeamInspectorAlgorithm):
         settings: ForecastSettings,
     ) -> Iterator[ForecastRequest]:
         from ..measure.planning.loss_forecast import ForecastRequest
-        from ..measure.source_images import sources_over
+        from ..measure.source_images import covers
 
         for window in drawn.windows():
             extent = window.extent
-            covering = () if extent is None else sources_over(sources, extent)
+            covering = () if extent is None else tuple(source for source in sources if covers(source.extent, extent))
             yield ForecastRequest(window.window_id, covering, extent, wkt, settings, seamlines, window.reason)

@@ -77,13 +77,8 @@ def gather_sources(
     return kept, notices
 
 
-def sources_over(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
-    """Sources whose footprint covers a rectangle, give or take the share that may be invalid."""
-    return tuple(source for source in sources if covers(source.extent, extent))
-
-
 def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0) -> bool:
-    """Whether a footprint covers a rectangle that closely."""
+    """Whether a footprint covers a rectangle, give or take the share that may be invalid, and a slack."""
     xmin, ymin, xmax, ymax = extent
     slack_x += imagery_limits.MAX_INVALID_SHARE * (xmax - xmin)
     slack_y += imagery_limits.MAX_INVALID_SHARE * (ymax - ymin)

@@ -21,7 +21,7 @@ from seam_inspector.plugin.seams.measure.planning.loss_forecast import (
     ForecastSettings,
     forecast_window,
 )
-from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources, sources_over
+from seam_inspector.plugin.seams.measure.source_images import Source, covers, gather_sources
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
@@ -47,7 +47,8 @@ def foretold(
     sources: Sequence[Source], extent: Extent, settings: ForecastSettings, system: str,
     seamlines: tuple[bytes, ...] | None = None,
 ) -> Forecast:
-    return forecast_window(ForecastRequest(7, sources_over(sources, extent), extent, system, settings, seamlines))
+    covering = tuple(source for source in sources if covers(source.extent, extent))
+    return forecast_window(ForecastRequest(7, covering, extent, system, settings, seamlines))
 
 
 def images(count: int = 2, shape: tuple[int, int] = SIZE) -> list[np.ndarray]:

@@ -254,7 +254,6 @@ def _most_levels(results: Iterable[WindowResult]) -> int:
 def result_of(record: bytes) -> WindowResult | None:
     """None for what can't be read, or is of another version."""
     try:
-        result: Any = value_of(WindowResult, record, sentences_of(imagery_messages, messages))
+        return value_of(WindowResult, record, sentences_of(imagery_messages, messages))
     except NotUnderstoodError:
         return None
-    return result if isinstance(result, WindowResult) else None
