@@ -245,7 +245,7 @@ SEAMS_NAMED_BY_DATE = Message(
 )
 SEAM_FEATURES_BROKEN = Message(
     "Features of the seamline layer whose geometry can't be read, left out: {count}; repair it ('Fix geometries' or "
-    "ogr2ogr -makevalid).", WARNING
+    "ogr2ogr -makevalid)."
 )
 SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING

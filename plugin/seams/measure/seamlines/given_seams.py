@@ -69,7 +69,7 @@ def given_seams(
             imagery_messages.SEAMLINES_APART() if pieces.rings else imagery_messages.SEAMLINES_TOO_SHORT()
         )
     notices = [
-        *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken)] if pieces.broken else []),
+        *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken).as_warning()] if pieces.broken else []),
         *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
         *([messages.SEAMS_NAMED_BY(fields=", ".join(fields.naming))] if fields.naming and not source_field else []),
     ]
