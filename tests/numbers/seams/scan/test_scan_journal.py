@@ -145,7 +145,7 @@ def test_another_scan_is_refused_until_the_first_one_ends_or_dies(path: Path) ->
         open_journal(path, PRINT)  # in this process
     journal.close()
     writer = start(path)
-    with pytest.raises(SettingsError, match="Another scan"):
+    with pytest.raises(SettingsError, match="another QGIS has it open"):
         open_journal(path, "another fingerprint")
     writer.kill()
     writer.communicate()
