@@ -108,7 +108,7 @@ class LoneSeams:
         if self._scatter is None:
             return None
         shift = -np.log(MAX_SIGNIFICANT_KEPT) - self._raised
-        room = (shift / _quantile(np.inf)) ** 2 - LEAST_ERROR**2
+        room = (shift / critical_t(_CONFIDENCE, np.inf)) ** 2 - LEAST_ERROR**2
         if room <= 0 or shift <= 0:
             return None
         return float(STRETCH_PX * max(1.0, (EXCESS * self._scatter / room) ** (1 / DECAY)))
@@ -152,7 +152,7 @@ class LoneSeams:
             return None
         log_kept, influence = self._compared(chosen)
         error = self._error(chosen, influence)
-        factor = np.exp(_quantile(_BORROWED + len(chosen) - 1) * error)
+        factor = np.exp(critical_t(_CONFIDENCE, _BORROWED + len(chosen) - 1) * error)
         kept = float(np.exp(log_kept))
         low = kept / factor * np.exp(-max(self._selection, 0.0)) * (1 - MOST_TOO_HIGH)
         high = kept * factor * np.exp(self._raised)
@@ -202,7 +202,7 @@ class LoneSeams:
         log_kept, influence = self._compared(chosen, beyond=True)
         plain, _ = self._compared(chosen, plain=True, beyond=True)
         error = self._error(chosen, influence)
-        return bool(log_kept + _quantile(_BORROWED) * error + SELECTION * max(log_kept - plain, 0.0) < 0)
+        return bool(log_kept + critical_t(_CONFIDENCE, _BORROWED) * error + SELECTION * max(log_kept - plain, 0.0) < 0)
 
     def _width_px(self, chosen: np.ndarray) -> float:
         """Width of the band along some stretches."""
@@ -216,11 +216,6 @@ class LoneSeams:
                 kept = float((area * s.zone_matched[zone, chosen]).sum() / area.sum() / level.mean())
                 bins.append(ProfileBin(1, near, far, kept, np.nan, np.nan, np.nan, float(area.sum())))
         return band_width_px(bins)
-
-
-def _quantile(freedom: float) -> float:
-    """How many standard errors the interval reaches to either side."""
-    return float(critical_t(_CONFIDENCE, freedom))
 
 
 RUNS_LENGTHS = (1.0, 2.0, 4.0)
