@@ -19,27 +19,13 @@ from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
 from ..seamlines.seam_pieces import PieceIndex
 from ..workers import measuring
-from .block_grid import (
-    BESIDE_PX,
-    BLOCK_PX,
-    LABEL_PX,
-    LABELS,
-    MARGIN_PX,
-    SQUARE_PX,
-    SQUARES,
-    UNIT_PX,
-    UNITS,
-    BlockKey,
-    ScanSettings,
-    labels_in,
-    rectangles,
-    squares_met,
-)
+from . import block_grid as grid
+from .block_grid import BlockKey, ScanSettings
 from .block_parts import BLOCK_MARGIN_PX, SAMPLED, DensePart, measure_part, measure_plain
 from .block_pixels import ALL_READ, BlockPixels, BlockReading
 from .patches import UNLEARNED, SquareLook, look_at_squares, middle_sources
 
-REACH_PX = 4.0 * BESIDE_PX
+REACH_PX = 4.0 * grid.BESIDE_PX
 """From a given seam: what lies farther off may be beyond another one that nobody drew."""
 Sides = tuple[Optional[int], Optional[int]]
 """Places among a block's sources of those on the left and right hand; None where nothing says. Producers often exchange
@@ -54,7 +40,7 @@ tell a source by where none is near."""
 MOST_LACKING = 3 / 8
 """Share of a unit without a source, or without pixels: with as much it is lacking, or empty. A strip of 24 px, wider
 than those that labels are closed across, takes so much of one unit wherever it lies."""
-CELLS = BLOCK_PX // CELL_PX
+CELLS = grid.BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
 
 
@@ -150,17 +136,17 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     settings = request.settings
     is_full = settings.density == FULL
     # Those of a block at the mosaic's edge may be too few for a patch.
-    width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
+    width, height = max(request.window.width, grid.SQUARE_PX), max(request.window.height, grid.SQUARE_PX)
     around = replace(request.window, width=width, height=height)
     pixels = BlockPixels(request.mosaic, request.refs, around, BLOCK_MARGIN_PX if is_full else 0)
     made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels)
     midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
-    doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
+    doubtful = widened(enlarged(look.doubtful, grid.SQUARE_PX // grid.UNIT_PX), 1)  # and a unit around it
     wanted = called_for(look.source, UNKNOWN, midway) | doubtful
     if request.along_seams is not None:
         wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
-    wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
+    wanted = wanted[: -(-request.window.height // grid.UNIT_PX), : -(-request.window.width // grid.UNIT_PX)]
     made.take_look(look, wanted)
     if is_full:
         made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
@@ -169,10 +155,10 @@ def _looked_at(request: BlockRequest) -> BlockScan:
 
 def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
     """What is measured pixel by pixel in some units of a block, (UNITS, UNITS) bool."""
-    wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
+    wanted = wanted[: -(-request.window.height // grid.UNIT_PX), : -(-request.window.width // grid.UNIT_PX)]
     margin_px = 0 if wanted.mean() >= WHOLE_SHARE else None
     pixels, made = BlockPixels(request.mosaic, request.refs, request.window, margin_px), _Block(request)
-    waiting = deque(rectangles(wanted))
+    waiting = deque(grid.rectangles(wanted))
     unread: list[PixelWindow] = []
     has_mosaic = not waiting
     while waiting:
@@ -205,7 +191,7 @@ def called_for(
     tell in which half the seam lies. ``pairs``: the rows, and columns, of squares that are compared with the next ones;
     all where None.
     """
-    per_square = SQUARE_PX // UNIT_PX
+    per_square = grid.SQUARE_PX // grid.UNIT_PX
     units = np.zeros([length * per_square for length in source.shape], bool)
     known = source != unknown
     across, down = midway or (None, None)
@@ -235,12 +221,13 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     everyone = pixels.numbers
     around = set(everyone)
     if request.followed is not None:
-        rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
+        rows, columns = grid.squares_met(window, grid.SQUARE_PX)
+        # And those around them, as the array begins a square before.
         nearby = request.followed[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
         around = set(np.unique(nearby).tolist())
     named = set[Optional[int]]()
     if request.pieces is not None:
-        near = request.pieces.near(placed, float(MARGIN_PX)).numbers.tolist()
+        near = request.pieces.near(placed, float(grid.MARGIN_PX)).numbers.tolist()
         named = {side for number in near for side in request.beside[number]}
     if None in named:  # nothing says which source lies beside a seam
         named = set()
@@ -264,7 +251,7 @@ def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
 def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
     """Across its longer side, in whole squares."""
     length = max(window.width, window.height)
-    first = -(-length // (2 * SQUARE_PX)) * SQUARE_PX
+    first = -(-length // (2 * grid.SQUARE_PX)) * grid.SQUARE_PX
     if length == window.width:
         return replace(window, width=first), replace(window, column=window.column + first, width=length - first)
     return replace(window, height=first), replace(window, row=window.row + first, height=length - first)
@@ -275,15 +262,15 @@ class _Block:
 
     def __init__(self, request: BlockRequest) -> None:
         levels, self._window = request.settings.levels, request.window
-        dense, wanted = np.zeros((2, UNITS, UNITS), bool)
+        dense, wanted = np.zeros((2, grid.UNITS, grid.UNITS), bool)
         mixture, grey, grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
         self._scan = BlockScan(
-            request.key, request.numbers, np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), dense, wanted,
-            np.full((LABELS, LABELS), UNKNOWN, np.uint8), mixture, grey, grain, CellTable.empty(levels),
-            MixtureTable.empty(levels), np.full((UNITS, UNITS), EMPTY, np.int16),
+            request.key, request.numbers, np.full((grid.SQUARES, grid.SQUARES), UNKNOWN, np.uint8), dense, wanted,
+            np.full((grid.LABELS, grid.LABELS), UNKNOWN, np.uint8), mixture, grey, grain, CellTable.empty(levels),
+            MixtureTable.empty(levels), np.full((grid.UNITS, grid.UNITS), EMPTY, np.int16),
         )
-        self._valid = np.ones((LABELS, LABELS), bool)
-        self._plain = np.zeros((SQUARES, SQUARES), bool)
+        self._valid = np.ones((grid.LABELS, grid.LABELS), bool)
+        self._plain = np.zeros((grid.SQUARES, grid.SQUARES), bool)
         self._learned = UNLEARNED
         self._tables, self._mixtures = [self._scan.cells], [self._scan.beside]
 
@@ -294,10 +281,10 @@ class _Block:
         rows, columns = look.source.shape
         self._scan.squares[:rows, :columns] = look.source
         self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
-        side = SQUARE_PX // LABEL_PX
+        side = grid.SQUARE_PX // grid.LABEL_PX
         self._scan.labels[: rows * side, : columns * side] = enlarged(look.source, side)
         cells, window = look.cells, self._window
-        sides = UNIT_PX // CELL_PX
+        sides = grid.UNIT_PX // CELL_PX
         kept = ~wanted[cells.row // sides, cells.column // sides]
         placed = cells.chosen(kept)
         self._scan.mixture[placed.row, placed.column] = 0
@@ -311,31 +298,31 @@ class _Block:
 
     def take_part(self, part: DensePart) -> None:
         """What was measured in a rectangle; what sticks out of the block is left out."""
-        inside = part.window.moved_by(-self._window.column, -self._window.row).cut_to(BLOCK_PX, BLOCK_PX)
+        inside = part.window.moved_by(-self._window.column, -self._window.row).cut_to(grid.BLOCK_PX, grid.BLOCK_PX)
         for name, plane in part.planes.items():
             target = self._valid if name == "valid" else getattr(self._scan, name)
-            place = target[squares_met(inside, BLOCK_PX // len(target))]
+            place = target[grid.squares_met(inside, grid.BLOCK_PX // len(target))]
             place[...] = plane[: place.shape[0], : place.shape[1]]
-        self._scan.dense[squares_met(inside, UNIT_PX)] = True
+        self._scan.dense[grid.squares_met(inside, grid.UNIT_PX)] = True
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
     def _ground(self) -> np.ndarray:
         """Ground of the units as ``BlockScan`` has it."""
-        side, scan = LABELS // UNITS, self._scan
+        side, scan = grid.LABELS // grid.UNITS, self._scan
         labels, valid = (in_squares(plane, side) for plane in (scan.labels, self._valid))
         rows, columns = (
-            np.clip(labels_in(length) - side * np.arange(UNITS), 0, side)
+            np.clip(grid.labels_in(length) - side * np.arange(grid.UNITS), 0, side)
             for length in (self._window.height, self._window.width)
         )
         inside, has_pixels = np.outer(rows, columns), valid.sum(axis=(1, 3))
-        held = np.sort(labels.transpose(0, 2, 1, 3).reshape(UNITS, UNITS, -1), axis=2)  # UNKNOWN last
+        held = np.sort(labels.transpose(0, 2, 1, 3).reshape(grid.UNITS, grid.UNITS, -1), axis=2)  # UNKNOWN last
         known = np.count_nonzero(held != UNKNOWN, axis=2)
         middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
         ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
-        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~scan.dense] = PLAIN
+        ground[enlarged(self._plain, grid.SQUARE_PX // grid.UNIT_PX) & ~scan.dense] = PLAIN
         is_even = scan.grain <= ROUNDING * np.abs(scan.grey)  # never where that is not known
-        ground[in_squares(is_even, CELLS // UNITS).all(axis=(1, 3))] = PLAIN
+        ground[in_squares(is_even, CELLS // grid.UNITS).all(axis=(1, 3))] = PLAIN
         ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
         ground[inside == 0] = EMPTY
         return ground
@@ -344,7 +331,7 @@ class _Block:
         self, valid: np.ndarray | None, notices: Sequence[Message], reading: BlockReading
     ) -> BlockScan:
         """All that was taken; nothing is followed where the mosaic has no pixels, (rows, columns) bool ``valid``."""
-        rows, columns = labels_in(self._window.height), labels_in(self._window.width)
+        rows, columns = grid.labels_in(self._window.height), grid.labels_in(self._window.width)
         self._valid[rows:], self._valid[:, columns:] = False, False
         if valid is not None:
             self._valid[:rows, :columns] &= valid[SAMPLED][:rows, :columns]
