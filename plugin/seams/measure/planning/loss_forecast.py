@@ -26,16 +26,8 @@ from ....imagery.reference_systems import extent_on, metres_per_unit
 from ....imagery.shifts import Shift, Spectra, find_shift
 from ....imagery.wavelets import check_decomposition, judged_plane
 from .. import messages
-from ..judgement.feather_prediction import (
-    Feather,
-    KeptDetail,
-    assumed_seams,
-    drawn_seam,
-    feathers,
-    kept_detail,
-    place_feather,
-    smallest,
-)
+from ..judgement import feather_prediction as prediction
+from ..judgement.feather_prediction import Feather, KeptDetail
 from ..limits import COSINE, RAMPS
 from ..source_images import Source, covers
 from ..window.measured_window import InspectionSettings, WindowRequest, comparable, measured_clip
@@ -120,13 +112,14 @@ class Forecast:
     @property
     def expected(self) -> tuple[float | None, ...] | None:
         """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs; None without."""
-        return smallest(pair.feather.ratios for pair in self.pairs)
+        return prediction.smallest(pair.feather.ratios for pair in self.pairs)
 
     @property
     def kept(self) -> KeptDetail | None:
         """What a feather of the width asked for would leave, the smallest over the pairs; None where none was."""
         known = [pair.kept for pair in self.pairs if pair.kept is not None]
-        window, strip = smallest(kept.window for kept in known), smallest(kept.strip for kept in known)
+        window = prediction.smallest(kept.window for kept in known)
+        strip = prediction.smallest(kept.strip for kept in known)
         return KeptDetail(window, strip) if window and strip else None
 
 
@@ -158,7 +151,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     clips, mosaic = [source.clip for source in measured], place.mosaic
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     wavelet, levels = request.settings.wavelet, request.settings.levels
-    pairs = feathers(planes, wavelet, levels)
+    pairs = prediction.feathers(planes, wavelet, levels)
     kept, assumed = _kept(request, place, planes, pairs)
     spectra = [Spectra(plane) for plane in planes]
     return Forecast(
@@ -221,12 +214,12 @@ def _kept(
             if left <= xmax and right >= xmin and bottom <= ymax and top >= ymin
         )
         with suppress(RasterError):
-            drawn = drawn_seam(near, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
-    seams = assumed_seams(place.window.height, place.window.width, pixel_m) if drawn is None else [drawn]
+            drawn = prediction.drawn_seam(near, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
+    seams = prediction.assumed_seams(place.window.height, place.window.width, pixel_m) if drawn is None else [drawn]
     assumed = [messages.SEAM_ASSUMED()] if request.seamlines is not None and drawn is None else []
-    places = [place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
+    places = [prediction.place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
     return [
-        kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
+        prediction.kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
         for pair in pairs
     ], assumed
 

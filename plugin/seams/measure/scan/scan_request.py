@@ -21,18 +21,10 @@ from ..blocks.block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey, ScanSetting
 from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
+from ..seamlines import seam_pieces
 from ..seamlines.given_seams import GivenSeams
 from ..seamlines.seam_features import source_numbers
-from ..seamlines.seam_pieces import (
-    PieceIndex,
-    SeamPiece,
-    Side,
-    SidedSeam,
-    cut_at,
-    cut_in_pieces,
-    cut_off,
-    points_beside,
-)
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, SidedSeam
 from ..source_images import Footprints, Source, whole_images
 
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
@@ -80,7 +72,7 @@ class ScanRequest:
     @cached_property
     def pieces(self) -> list[SeamPiece]:
         """Pieces of the seams that are given."""
-        return cut_in_pieces(self.seams, self.settings.piece_m, self.mosaic.grid)
+        return seam_pieces.cut_in_pieces(self.seams, self.settings.piece_m, self.mosaic.grid)
 
     @cached_property
     def named(self) -> tuple[dict[str, int], Message | None]:
@@ -194,7 +186,8 @@ def _off_border(seam: SidedSeam, mosaic: OpenRaster) -> Iterator[SidedSeam]:
     path = mosaic.raster.grid.to_pixels(seam.vertices)
     along = vertex_stations(path)
     stations = np.linspace(0, along[-1], int(along[-1] / _STEP_PX) + 2)
-    left, right = (_has_pixels(mosaic, side[:, 0]) for side in points_beside(path, along, stations, (_ASIDE_PX,)))
+    sides = seam_pieces.points_beside(path, along, stations, (_ASIDE_PX,))
+    left, right = (_has_pixels(mosaic, side[:, 0]) for side in sides)
     on_border = np.flatnonzero(np.diff(np.concatenate([[False], left != right, [False]])))
     first, last = stations[on_border[::2]], stations[on_border[1::2] - 1]
     long = last - first >= min(_SHORTEST_PX, along[-1] / 2)
@@ -202,7 +195,7 @@ def _off_border(seam: SidedSeam, mosaic: OpenRaster) -> Iterator[SidedSeam]:
         yield seam
         return
     cuts = np.concatenate([[0.0], np.column_stack([first, last])[long].ravel(), along[-1:]])
-    for number, vertices in enumerate(cut_at(seam.vertices, along, cuts)):
+    for number, vertices in enumerate(seam_pieces.cut_at(seam.vertices, along, cuts)):
         if number % 2 == 0 and cuts[number + 1] - cuts[number] > 2 * _ASIDE_PX:
             yield replace(seam, vertices=vertices)
 
@@ -267,7 +260,7 @@ def scan_request(
             notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
             request = replace(request, sources=())
     if given is not None:
-        outside = cut_off(given.seams, request.pieces, mosaic.grid)
+        outside = seam_pieces.cut_off(given.seams, request.pieces, mosaic.grid)
         unnamed = request.named[1] if request.sources else None
         notices = [*notices, *given.notices, *(notice for notice in (outside, unnamed) if notice is not None)]
     return request, notices

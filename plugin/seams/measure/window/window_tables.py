@@ -13,18 +13,10 @@ from operator import itemgetter
 from typing import Any
 
 from ....imagery import messages as imagery_messages
+from ....imagery import records
 from ....imagery.errors import QT_TR_NOOP
 from ....imagery.limits import DEFAULT_LEVELS, MIN_SHARE, check_type
-from ....imagery.records import (
-    Column,
-    NotUnderstoodError,
-    Row,
-    TableRows,
-    kinds_of,
-    rows_of,
-    sentences_of,
-    value_of,
-)
+from ....imagery.records import Column, NotUnderstoodError, Row, TableRows
 from ....imagery.seam_totals import MOST_KEPT, possible
 from ....imagery.statistics import JUDGING_FIELDS
 from ....imagery.wavelets import DIRECTIONS
@@ -202,7 +194,7 @@ def _checked(results: Iterable[WindowResult]) -> list[WindowResult]:
 
 
 def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: int = 0) -> TableRows:
-    return TableRows(rows_of(columns, results, levels), kinds=kinds_of(columns, levels))
+    return TableRows(records.rows_of(columns, results, levels), kinds=records.kinds_of(columns, levels))
 
 
 def bins_of(result: WindowResult) -> Iterator[Row]:
@@ -254,6 +246,6 @@ def _most_levels(results: Iterable[WindowResult]) -> int:
 def result_of(record: bytes) -> WindowResult | None:
     """None for what can't be read, or is of another version."""
     try:
-        return value_of(WindowResult, record, sentences_of(imagery_messages, messages))
+        return records.value_of(WindowResult, record, records.sentences_of(imagery_messages, messages))
     except NotUnderstoodError:
         return None
