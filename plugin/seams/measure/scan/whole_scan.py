@@ -35,21 +35,12 @@ from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, 
 from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
-from . import piece_sums
+from . import piece_sums, scan_result
 from .block_runs import BlockRun, ScanInputs, ScanJournal, ScanStep, journal_beside
 from .followed_ground import LEAST_BESIDE, LEAST_UNEXPLAINED, FollowedGround, common_shift
 from .lone_scan import LoneScanning
 from .scan_request import ScanRequest, scan_request
-from .scan_result import (
-    JudgedPiece,
-    PieceFigures,
-    ScanResult,
-    dated,
-    judge_piece,
-    metres,
-    without_verdict,
-    worst_windows,
-)
+from .scan_result import JudgedPiece, PieceFigures, ScanResult
 
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
@@ -116,8 +107,8 @@ class Gathering:
                 sources = _listed(source.ref for source in request.sources)
                 how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
                 raster.close([request.source_names[number] for number in self._shown], how)
-            worst = worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
-            notices = [*lost, *too_many, *_notices(ground, shift), *notices, *without_verdict(judged)]
+            worst = scan_result.worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
+            notices = [*lost, *too_many, *_notices(ground, shift), *notices, *scan_result.without_verdict(judged)]
             if polygons and not (pieces or request.given or too_many):
                 followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
                 notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
@@ -134,7 +125,7 @@ class Gathering:
         judged = []
         for figures in measured:
             sides = [self._name(side) for side in (figures.piece.left, figures.piece.right)]
-            judged.append(judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
+            judged.append(scan_result.judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
         if not request.given:
             return tuple(judged), {"seams": "found"}, []
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
@@ -144,8 +135,8 @@ class Gathering:
         }
         named = {number for number in alike if pieces[number].left or pieces[number].right}
         counted = {number for number in named if request.counts(pieces[number])}
-        notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in counted]):.1f}"}
-        within = metres([judged[number] for number in alike - named])
+        notes = {"seams": "given", "unchanged_metres": f"{scan_result.metres([judged[number] for number in counted]):.1f}"}
+        within = scan_result.metres([judged[number] for number in alike - named])
         seams = tuple(piece for number, piece in enumerate(judged) if number not in alike - named)
         return seams, notes, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
 
@@ -286,8 +277,8 @@ class WholeScan:
         dates, notes = self.request.dates, {**self.request.settings.told, SYSTEM: self.request.mosaic.wkt}
         return replace(
             result, told={**notes, **self._inputs.told, **result.told, METRES: repr(result.seam_metres)},
-            pieces=tuple(dated(piece, dates) for piece in result.pieces),
-            stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
+            pieces=tuple(scan_result.dated(piece, dates) for piece in result.pieces),
+            stretches=tuple(scan_result.dated(stretch, dates) for stretch in result.stretches),
         )
 
     def measured(self, loss_path: str, workers: Workers) -> tuple[ScanResult | None, list[Message]]:

@@ -22,15 +22,9 @@ from ..seam_cells import Cell, source_stem
 from ..seamlines.seam_features import read_cells
 from ..source_images import Source, gather_sources, have_same_grid
 from ..workers import Workers, in_order, measuring, unforeseen
+from . import measured_window
 from .explained_window import explain_window
-from .measured_window import (
-    InspectionSettings,
-    MeasuredWindow,
-    MeasureWindow,
-    WindowRequest,
-    measure_window,
-    not_comparable,
-)
+from .measured_window import InspectionSettings, MeasuredWindow, MeasureWindow, WindowRequest
 from .window_result import WindowClips, WindowResult
 
 NEIGHBOURS_PX = 2048
@@ -225,8 +219,10 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     ``not_comparable`` with the reason. Neither raises. Raises SettingsError for what ``Block.window`` did not make.
     """
     imagery_limits.check_type("request", request, WindowRequest)
-    measured = measure_window(request)
-    return explain_window(measured) if isinstance(measured, MeasuredWindow) else not_comparable(request, measured)
+    measured = measured_window.measure_window(request)
+    if isinstance(measured, MeasuredWindow):
+        return explain_window(measured)
+    return measured_window.not_comparable(request, measured)
 
 
 def inspect_windows(
@@ -241,11 +237,11 @@ def inspect_windows(
     twice this machine's cores where 0. One that fails in a way nobody foresaw is ``not_comparable`` for that.
     """
     with measuring(), own_threads(executor, ahead) as opened:  # memory is kept from one window to the next
-        yield from in_order(requests, inspect_window, not_comparable, Workers(*opened, cancelled))
+        yield from in_order(requests, inspect_window, measured_window.not_comparable, Workers(*opened, cancelled))
 
 
 def inspect_in_stages(
-    request: WindowRequest, measure: MeasureWindow = measure_window
+    request: WindowRequest, measure: MeasureWindow = measured_window.measure_window
 ) -> Iterator[WindowResult]:
     """Inspect a window that somebody waits for: its WindowClips as soon as they are there, if there are any, then all.
 
@@ -257,6 +253,6 @@ def inspect_in_stages(
             yield WindowClips(**vars(measured.result), has_sources=measured.is_explicable)
             yield explain_window(measured)
         else:
-            yield not_comparable(request, measured)
+            yield measured_window.not_comparable(request, measured)
     except Exception as error:  # as an executor keeps it for ``in_order``
-        yield not_comparable(request, unforeseen(error))
+        yield measured_window.not_comparable(request, unforeseen(error))
