@@ -3048,7 +3048,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="99"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="91"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -7474,7 +7474,7 @@
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="103"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="95"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -7494,12 +7494,12 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="116"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="108"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="132"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="124"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
@@ -7529,12 +7529,12 @@
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="109"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="101"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="113"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="105"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
@@ -7737,7 +7737,7 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="128"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="120"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
@@ -8201,7 +8201,7 @@
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="133"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="125"/>
         <source>loss (m2)</source>
         <translation>strata (m2)</translation>
     </message>
@@ -9718,7 +9718,7 @@
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="136"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="128"/>
         <source>code of the reason</source>
         <translation>kod powodu</translation>
     </message>
@@ -9885,7 +9885,7 @@
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="153"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="145"/>
         <source>origin</source>
         <translation>pochodzenie</translation>
     </message>

@@ -135,7 +135,8 @@ class Gathering:
         }
         named = {number for number in alike if pieces[number].left or pieces[number].right}
         counted = {number for number in named if request.counts(pieces[number])}
-        notes = {"seams": "given", "unchanged_metres": f"{scan_result.metres([judged[number] for number in counted]):.1f}"}
+        unchanged = scan_result.metres([judged[number] for number in counted])
+        notes = {"seams": "given", "unchanged_metres": f"{unchanged:.1f}"}
         within = scan_result.metres([judged[number] for number in alike - named])
         seams = tuple(piece for number, piece in enumerate(judged) if number not in alike - named)
         return seams, notes, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
