@@ -394,7 +394,7 @@
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="324"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="323"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
@@ -839,7 +839,7 @@
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="323"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="322"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
@@ -1009,12 +1009,12 @@
         <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="292"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="291"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="355"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="354"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
@@ -1029,12 +1029,12 @@
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="357"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="359"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
@@ -1049,7 +1049,7 @@
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="361"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="360"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
@@ -1264,87 +1264,87 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="50"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="49"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="62"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="61"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="64"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="63"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="70"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="75"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="77"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="82"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="91"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="90"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="91"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
         <source>Share of the full amplitude that the bars need for a group to be resolved.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="100"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="103"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
@@ -1354,27 +1354,27 @@
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="108"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="30"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="29"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="31"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="30"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="32"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="31"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
@@ -2474,142 +2474,127 @@
         <translation>Warstwa nie ma linii; narysuj po jednej w poprzek pasków każdej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
-        <source>The line has no geometry; draw it again across the bars of the group.</source>
-        <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek pasków grupy.</translation>
-    </message>
-    <message>
         <location filename="../plugin/resolution/measure/messages.py" line="14"/>
-        <source>The line has several parts; draw one line across the bars of the group.</source>
-        <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek pasków grupy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
-        <source>The line is not straight; draw it with two points across the bars of the group.</source>
-        <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="16"/>
         <source>The line leaves {name}; draw it on the image, across the bars of the group.</source>
         <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
         <source>The line crosses pixels of {name} without data; draw it where the image is.</source>
         <translation>Linia przecina piksele rastra {name} bez danych; narysuj ją tam, gdzie jest obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="19"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
         <translation>Linia ma długość {length:.1f} px, a {bars} {bars:pasek|paski|pasków} z przerwami {bars:wymaga|wymagają|wymaga} co najmniej {least} px; narysuj ją od tła po jednej stronie pasków do tła po drugiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="20"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
         <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek pasków tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="21"/>
         <source>The line has no whole number in its field &apos;group&apos;; fill in the group&apos;s number.</source>
         <translation>Linia nie ma liczby całkowitej w polu „group”; wpisz numer grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
         <source>The line&apos;s direction is &apos;{direction}&apos;; fill in &apos;along&apos; or &apos;across&apos;.</source>
         <translation>Kierunek linii to „{direction}”; wpisz „along” lub „across”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="28"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="26"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
         <translation>Grupę {group} (kierunek „{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="29"/>
         <source>No bars stand out on the line; draw it across the bars of one group.</source>
         <translation>Na linii nie widać pasków; narysuj ją w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="30"/>
         <source>The bars can&apos;t be told apart: {found} of {bars} stand out.</source>
         <translation>Pasków nie można rozróżnić: widać {found} z {bars}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="33"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
         <source>{found} bars stand out and a group has {bars}; draw the line across one group only.</source>
         <translation>Widać {found} {found:pasek|paski|pasków}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
         <source>The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.</source>
         <translation>Amplituda wynosi {share:.0%} pełnej, a kryterium {criterion:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
         <source>The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.</source>
         <translation>Amplituda {amplitude:.1f} DN nie przekracza trzykrotności szumu {noise:.1f} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="38"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
         <translation>Pasek i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="41"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
         <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="42"/>
         <source>The bars seem {spacing:.1f} px apart, but those of the group are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
         <source>A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.</source>
         <translation>Grubsza grupa {group} nie jest rozróżniona, więc ta to aliasing i nie jest liczona.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="48"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
         <translation>Paski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="52"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="50"/>
         <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the measured bars are used, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp pasków jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej GRD i wielkość piksela rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="55"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="53"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
         <translation>Paski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="56"/>
         <source>No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.</source>
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="90"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="76"/>
         <source>No row has a height and a distance to compute with; fill in &apos;height&apos; and &apos;grd&apos;.</source>
         <translation>Żaden wiersz nie ma wysokości i GRD do obliczeń; wypełnij „height” i „grd”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="79"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
         <source>Row {row} is left out: {why}</source>
         <translation>Wiersz {row} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
         <source>&apos;height&apos; or &apos;grd&apos; holds no number; fill in both.</source>
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="98"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
@@ -3198,7 +3183,7 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layers.py" line="167"/>
+        <location filename="../plugin/resolution/line_layers.py" line="165"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
@@ -3887,7 +3872,7 @@
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="104"/>
+        <location filename="../plugin/resolution/report.py" line="105"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
@@ -4348,17 +4333,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="134"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4378,7 +4363,7 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="223"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
@@ -4953,7 +4938,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -5595,57 +5580,57 @@
         <translation>średnia geometryczna</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="99"/>
+        <location filename="../plugin/resolution/report.py" line="100"/>
         <source>all of them</source>
         <translation>wszyscy razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="106"/>
+        <location filename="../plugin/resolution/report.py" line="107"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="107"/>
+        <location filename="../plugin/resolution/report.py" line="108"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>higher</source>
         <translation>wyższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>lower</source>
         <translation>niższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="112"/>
+        <location filename="../plugin/resolution/report.py" line="113"/>
         <source>the group&apos;s own bars against plain gaps</source>
         <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="112"/>
+        <location filename="../plugin/resolution/report.py" line="113"/>
         <source>that of the coarsest group</source>
         <translation>amplituda najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="114"/>
+        <location filename="../plugin/resolution/report.py" line="115"/>
         <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
         <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="116"/>
+        <location filename="../plugin/resolution/report.py" line="117"/>
         <source>bars in each group</source>
         <translation>paski w każdej grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="117"/>
+        <location filename="../plugin/resolution/report.py" line="118"/>
         <source>widths</source>
         <translation>szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="119"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>widths are of</source>
         <translation>szerokości dotyczą</translation>
     </message>
@@ -5655,17 +5640,17 @@
         <translation>jeden pasek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="119"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>a bar and a gap together</source>
         <translation>pasek i przerwa razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="120"/>
+        <location filename="../plugin/resolution/report.py" line="121"/>
         <source>criterion</source>
         <translation>kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="121"/>
+        <location filename="../plugin/resolution/report.py" line="122"/>
         <source>full amplitude</source>
         <translation>pełna amplituda</translation>
     </message>
@@ -5720,52 +5705,52 @@
         <translation>Wszystkie linie: {distances}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="26"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
         <source>Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.</source>
         <translation>Grupa {group} jest za daleko od grupy odniesienia {reference}, by mieć szerokość; popraw jeden z numerów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="60"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
         <source>Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at least, so the distance may be coarser than the sensor&apos;s best; haze and a low sun lower the contrast.</source>
         <translation>Paski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="63"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="61"/>
         <source>No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
         <translation>Żadne jednolite miejsce testu nie wyznacza pełnej amplitudy, więc grupy mogą wydawać się lepiej rozróżnione, niż są; narysuj też linie w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="69"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="67"/>
         <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
         <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje pasków, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="75"/>
         <source>The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.</source>
         <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="82"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
         <source>Height {height:g} m and distance {grd:g} cm give no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="85"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="83"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="86"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="93"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="91"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="94"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
@@ -5775,67 +5760,67 @@
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="53"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="52"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="65"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="64"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="72"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
         <source>How far on either side of the line the profile is averaged; less where the bars are shorter.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="84"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
         <source>In centimetres on the ground; the next parameter says what it is the width of.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="86"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="85"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="87"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="86"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="98"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="97"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="33"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="32"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="34"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="33"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="35"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="34"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="40"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="39"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="41"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="40"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="42"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="41"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
@@ -8739,37 +8724,37 @@
         <translation>{direction}, o grupę więcej lub mniej: {low} do {high} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="66"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
         <source>The groups show too little of the target&apos;s contrast, so the full amplitude is taken from the ground beside the bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.</source>
         <translation>Grupy zbyt mało mówią o kontraście testu, więc pełną amplitudę przyjęto z terenu obok pasków; narysuj linie także przez grubsze grupy albo upewnij się, że ten teren jest tak ciemny jak przerwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="71"/>
         <source>&apos;{word}&apos; is not a reference height; give metres, or a name and metres for each group, as &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>„{word}” nie jest wysokością odniesienia; podaj metry albo nazwę i metry dla każdej grupy, np. &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="75"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
         <source>There is a reference height for {name}, but no group of passes has that name; give one of: {known}.</source>
         <translation>Podano wysokość odniesienia dla {name}, ale żadna grupa przelotów tak się nie nazywa; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="36"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="35"/>
         <source>Finest distance that may be resolved along the flight (cm)</source>
         <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="37"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="36"/>
         <source>Coarsest distance that may be the finest one along the flight (cm)</source>
         <translation>Największa terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="38"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="37"/>
         <source>Finest distance that may be resolved across the flight (cm)</source>
         <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="39"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="38"/>
         <source>Coarsest distance that may be the finest one across the flight (cm)</source>
         <translation>Największa terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
@@ -10045,42 +10030,42 @@
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
@@ -10095,12 +10080,12 @@
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10671,7 +10656,7 @@
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="135"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10826,17 +10811,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="229"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="289"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="291"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -11277,6 +11262,11 @@
         <location filename="../plugin/seams/desk/session.py" line="299"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
+        <source>Not one straight line; draw it with two points across the bars of the group.</source>
+        <translation>To nie jest jedna linia prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
     </message>
 </context>
 </TS>
