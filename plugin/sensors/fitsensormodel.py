@@ -77,8 +77,6 @@ class FitSensorModel(SensorAlgorithm):
         "does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
     )
 
-    NAMED_BY_FORMAT = (RPC_IMAGE,)
-
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         purpose = " ".join(map(_described, registry.KINDS.values()))
@@ -271,7 +269,6 @@ class CompareSensorModels(SensorAlgorithm):
 class PlanPoints(SensorAlgorithm):
     """The accuracy to expect from a number of points, their spread and their quality."""
 
-    RASTER_LISTS = (IMAGE,)
     ID = "planpoints"
     NAME = QT_TR_NOOP("Plan control points")
     HELP = QT_TR_NOOP(

@@ -51,8 +51,6 @@ PHOTOS, PHOTO_COUNT, LEFT_OUT_COUNT = "PHOTOS", "PHOTO_COUNT", "LEFT_OUT_COUNT"
 class OrthoAlgorithm(SensorAlgorithm):
     """An algorithm that makes orthoimages: the parameters of photos' orientations, of terrain and of what is made."""
 
-    RASTER_LISTS = (DEM,)
-
     def addOrientations(self) -> None:
         self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
             "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "

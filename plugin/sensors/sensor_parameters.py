@@ -40,7 +40,6 @@ IMAGE_SUFFIXES = (".tif", ".tiff", ".vrt", ".ntf", ".nitf", ".jp2", ".img")
 
 class SensorAlgorithm(SeamInspectorAlgorithm):
     GROUP = SATELLITE_IMAGES
-    RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
     def addFile(self, name: str, label: str, purpose: str, advanced: bool = False, filters: str = "") -> None:
         file = QgsProcessingParameterFile(name, label, optional=True, fileFilter=filters)

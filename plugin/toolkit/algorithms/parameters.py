@@ -5,7 +5,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, TypeVar
 
@@ -293,10 +293,8 @@ def _paths(value: Any) -> Iterator[str]:
             yield path
 
 
-def without_rasters(
-    algorithm: QgsProcessingAlgorithm, values: dict[str, Any], lists: Collection[str] = ()
-) -> dict[str, Any]:
-    """The values with nothing to open in place of each raster, each list of rasters, and each of the other ``lists``.
+def without_layers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> dict[str, Any]:
+    """The values with nothing to open in place of each raster and each list of layers.
 
     QGIS would load them all, write statistics beside them (into them, where they are VRTs), and refuse one that it
     can't open without a reason.
@@ -307,7 +305,7 @@ def without_rasters(
         if isinstance(definition, QgsProcessingParameterRasterLayer):
             if isinstance(value, str) and value:
                 emptied[name] = QgsRasterLayer()
-        elif name in values and (name in lists or takes_rasters(definition)):
+        elif name in values and isinstance(definition, QgsProcessingParameterMultipleLayers):
             emptied[name] = []
     return emptied
 

@@ -17,6 +17,7 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterDestination,
     QgsProperty,
     QgsRectangle,
@@ -267,16 +268,15 @@ class Run:
         path = self._algorithm.parameterAsFileOutput(self.parameters, name, self.context) if wanted else ""
         return Path(path) if path else None
 
-    def check_endings(self, files: Iterable[str]) -> None:
-        """Raise SettingsError for a raster, or one of these files, whose ending says something else than is written."""
-        for name in files:
-            definition, path = self._algorithm.parameterDefinition(name), self.file_path(name)
-            if definition is not None and path is not None:
-                _check_ending(path, definition.fileFilter())
+    def check_endings(self) -> None:
+        """Raise SettingsError for a file or a raster whose ending says something else than is written."""
         for definition in self._algorithm.destinationParameterDefinitions():
             path = Path(output_text(self.parameters.get(definition.name()), self.context))
-            if isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix:
-                _check_ending(path, GEOTIFF_FILES)
+            is_file = isinstance(definition, QgsProcessingParameterFileDestination) and path.name
+            is_raster = isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix
+            filters = definition.fileFilter() if is_file else GEOTIFF_FILES if is_raster else ""
+            if filters and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
+                raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
 
     def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
         """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.
@@ -326,8 +326,3 @@ class Run:
         """Tell how much is done, 0 to 1; whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
-
-
-def _check_ending(path: Path, filters: str) -> None:
-    if path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
-        raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
