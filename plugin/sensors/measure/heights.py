@@ -59,12 +59,10 @@ class Geoid:
         inside = np.clip(np.column_stack([column, row]), 0, [around or last[0], last[1]])
         if np.abs(inside - np.column_stack([column, row])).max(initial=0) > 0.5 + 1e-6:
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
-        (left, top), (right, bottom) = inside.min(axis=0).astype(int), np.minimum(inside.max(axis=0) + 2, last + 1)
-        if around:
-            left, right = 0, source.columns
-        grid = first_band(source, PixelWindow(int(left), int(top), int(right) - int(left), int(bottom) - int(top)))
+        top, bottom = int(inside[:, 1].min()), min(int(inside[:, 1].max()) + 2, source.rows)
+        grid = first_band(source, PixelWindow(0, top, source.columns, bottom - top))
         grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap") if around else grid
-        heights = bilinear(grid, *(inside - [left, top]).T)
+        heights = bilinear(grid, *(inside - [0, top]).T)
         if not np.isfinite(heights).all():
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
         if np.abs(heights).max(initial=0) > MAX_UNDULATION_M:

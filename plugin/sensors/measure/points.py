@@ -309,12 +309,8 @@ class ControlCoverage:
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """The part of an image that (n, 2) control points cover."""
-    places = ogr.Geometry(ogr.wkbMultiPoint)
-    for x, y in control.tolist():
-        place = ogr.Geometry(ogr.wkbPoint)
-        place.AddPoint_2D(x, y)
-        places.AddGeometry(place)
-    hull = places.ConvexHull()
+    places = ", ".join(f"{x!r} {y!r}" for x, y in control.tolist())
+    hull = ogr.CreateGeometryFromWkt(f"MULTIPOINT ({places})" if places else "MULTIPOINT EMPTY").ConvexHull()
     corners = hull.GetGeometryRef(0) if hull.GetGeometryType() == ogr.wkbPolygon else hull
     outline = np.array(corners.GetPoints() or np.zeros((0, 2)))[:, :2]
     box = ogr.CreateGeometryFromWkt("POLYGON (({0} {1}, {2} {1}, {2} {3}, {0} {3}, {0} {1}))".format(*image))
