@@ -80,21 +80,21 @@ class FitSensorModel(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         purpose = " ".join(map(_described, registry.KINDS.values()))
-        self.addChoice(MODEL, tr("Model"), tuple(registry.KINDS), purpose, registry.RATIONAL.name)
+        self.addDescribed(common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name), purpose)
         self.addDescribed(common.whole(ORDER, tr("Order"), 1, 1, 3), tr(
             "For polynomials and quotients. Higher orders need many points and oscillate between them."
         ))
         self.addDescribed(common.flag(DLT_XY, tr("Term a12 xy of the direct linear transformation")), tr(
             "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."
         ))
-        self.addChoice(BIAS, tr("Correction of the RPC"), _BIASES, tr(
+        self.addDescribed(common.choice(BIAS, tr("Correction of the RPC"), _BIASES), tr(
             "For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."
         ))
         self.addFittingParameters()
         self.addTerrainError()
-        self.addTable(OUTPUT, tr("Residuals"), tr(
+        self.addDescribed(common.result(OUTPUT, tr("Residuals"), common.POINT), tr(
             "The points with residuals, model minus measured: in pixels, and in metres at the point's height."
-        ), common.POINT)
+        ))
         for name, label, filters, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
             (RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
@@ -225,7 +225,7 @@ class CompareSensorModels(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         self.addFittingParameters()
-        self.addTable(OUTPUT, tr("Models"), tr(
+        self.addDescribed(common.result(OUTPUT, tr("Models"), common.TABLE), tr(
             "One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."
         ))
         report = tr("The table with a chart and the recommendation.")
@@ -280,12 +280,12 @@ class PlanPoints(SensorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         purpose = tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.")
-        self.addChoice(MODEL, tr("Model"), _MODELS, purpose, registry.PUSHBROOM.name)
+        self.addDescribed(common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name), purpose)
         counts = QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30")
         self.addDescribed(counts, tr(
             "One row of the table for each, such as 6, 10, 20. Check points are not counted."
         ))
-        self.addChoice(SPREAD, tr("Spread"), limits.SPREADS, tr(
+        self.addDescribed(common.choice(SPREAD, tr("Spread"), limits.SPREADS), tr(
             "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
         ))
         for name, label, default, least, most, text in (
@@ -300,7 +300,7 @@ class PlanPoints(SensorAlgorithm):
         self.addReal(LOWEST, tr("Lowest terrain (metres)"), 0.0, text)
         self.addReal(HIGHEST, tr("Highest terrain (metres)"), 300.0, text)
         self.addImage()
-        self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
+        self.addDescribed(common.file(IMAGE_RPC, tr("RPC of the image"), optional=True), tr(
             "An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."
         ))
         for name, label, default, least, most, text in (
@@ -313,7 +313,7 @@ class PlanPoints(SensorAlgorithm):
             self.addReal(name, label, default, text, advanced=True, least=least, most=most)
         seed = common.whole(SEED, tr("Seed"), 1, 0, 2**31 - 1)
         self.addDescribed(seed, tr("The same number gives the same draws."), advanced=True)
-        self.addTable(OUTPUT, tr("Expected accuracy"), tr(
+        self.addDescribed(common.result(OUTPUT, tr("Expected accuracy"), common.TABLE), tr(
             "One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % "
             "and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well "
             "as the control points."

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessingParameterCrs,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterRasterDestination,
@@ -52,22 +53,26 @@ class OrthoAlgorithm(SensorAlgorithm):
     """An algorithm that makes orthoimages: the parameters of photos' orientations, of terrain and of what is made."""
 
     def addOrientations(self) -> None:
-        self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
+        exterior = common.file(EXTERIOR, tr("Exterior orientation"), optional=True)
+        exterior.setFileFilter(tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
+        self.addDescribed(exterior, tr(
             "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
             "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
             "PATB, ContextCapture or orthority."
-        ), filters=tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
-        self.addFile(INTERIOR, tr("Interior orientation"), tr(
+        ))
+        self.addDescribed(common.file(INTERIOR, tr("Interior orientation"), optional=True), tr(
             "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. "
             "Empty: in the file of the exterior orientation."
         ))
-        self.addSystem(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), tr(
+        system = tr("Reference system of the exterior orientation")
+        self.addDescribed(QgsProcessingParameterCrs(EXTERIOR_CRS, system, optional=True), tr(
             "Projected, in metres. Empty: what its file says, else the image's own."
         ), advanced=True)
-        self.addChoice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS, tr(
+        heights, angles = tr("Heights of the exterior orientation"), tr("Angles of the exterior orientation")
+        self.addDescribed(common.choice(EXTERIOR_HEIGHTS, heights, limits.EXTERIOR_DATUMS), tr(
             "as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."
         ), advanced=True)
-        self.addChoice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS, tr(
+        self.addDescribed(common.choice(EXTERIOR_ANGLES, angles, limits.ANGLE_UNITS), tr(
             "For a table. auto: what its header says, else degrees."
         ), advanced=True)
 
@@ -80,14 +85,13 @@ class OrthoAlgorithm(SensorAlgorithm):
 
     def addGrid(self, system: str) -> None:
         """The pixels and the file of orthoimages; ``system``: the help of their reference system."""
-        self.addSystem(CRS, tr("Reference system"), system)
+        self.addDescribed(QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), system)
         self.addReal(PIXEL_SIZE, tr("Pixel size"), None, tr(
             "In units of the reference system. Empty: that of the image on the ground."
         ), least=0)
-        self.addChoice(
-            RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, tr("How pixels are interpolated."), default="cubic"
-        )
-        self.addChoice(FORMAT, tr("Format"), limits.ORTHO_FORMATS, tr(
+        resampling = common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic")
+        self.addDescribed(resampling, tr("How pixels are interpolated."))
+        self.addDescribed(common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS), tr(
             "GeoTIFF, or cloud optimised GeoTIFF with overviews."
         ))
 
@@ -134,8 +138,9 @@ class Orthorectify(OrthoAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addImage(optional=False)
-        self.addFile(MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it."))
-        self.addFile(RPC, tr("RPC file"), tr(
+        model_file = common.file(MODEL_FILE, tr("Model file"), optional=True)
+        self.addDescribed(model_file, tr("As Fit sensor model writes it."))
+        self.addDescribed(common.file(RPC, tr("RPC file"), optional=True), tr(
             "_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."
         ))
         self.addOrientations()

@@ -14,9 +14,7 @@ SYSTEM_NOT_WRITTEN = Message(
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 # the outline of a window
 WINDOW_EMPTY = Message("The window has no outline; draw it again.")
-WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangle.")
-WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
-WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it again as a rectangle.")
+WINDOW_NO_POLYGON = Message("The window is not a single polygon whose outline crosses nowhere; draw it as a rectangle.")
 WINDOWS_RENUMBERED = Message(
     "Windows without a number of their own: {count}; they were given the next free ones.", WARNING)
 WINDOWS_RESHAPED = Message(

@@ -50,7 +50,7 @@ class _Checked:
         try:
             with gdal_silenced():
                 self._refuse(parameters, context)  # models and scripts may not have checked the values
-                self._begin(Run(self, parameters, context, feedback))
+                self.prepare(Run(self, parameters, context, feedback))
                 return bool(super().prepareAlgorithm(parameters, context, feedback))  # type: ignore[misc]
         except SeamInspectorError as error:
             raise _for_qgis(error) from None
@@ -68,8 +68,8 @@ class _Checked:
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
 
-    def _begin(self, run: Run) -> None:
-        """What is to be done in the thread of the layers."""
+    def prepare(self, run: Run) -> None:
+        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
 
     def for_check(self: Any, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values for QGIS's own check."""
@@ -163,12 +163,6 @@ class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):
                 if known is SeamInspectorAlgorithm:
                     raise
                 raise QgsProcessingException(sentence(messages.UNLOADED())) from None
-
-    def prepare(self, run: Run) -> None:
-        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
-
-    def _begin(self, run: Run) -> None:
-        self.prepare(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
         """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
