@@ -162,8 +162,6 @@ class Orthorectify(OrthoAlgorithm):
         from .measure.rpc import open_image
 
         open_image(run.required_raster(IMAGE))
-        if (optional_real(run, HEIGHT) is None) != bool(run.parameters.get(DEM)):
-            raise SettingsError(messages.TERRAIN_OR_HEIGHT())
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.layers import box_extent, system_wkt
@@ -284,7 +282,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 left_out.append(messages.PHOTO_LEFT_OUT(name=photo.path.name, why=error.message))
                 run.tell(left_out[-1])
                 continue
-            wkt, size, count = made.wkt, made.pixel_size, count + 1
+            wkt, size, count = made.wkt, made.grid.pixel_width, count + 1
             run.tell_once(made.notices)
             run.inform(f"{photo.name}: {_described(made)}")
         if left_out and not count and not run.is_cancelled():
@@ -295,5 +293,5 @@ class OrthorectifyPhotos(OrthoAlgorithm):
 def _described(made: Ortho) -> str:
     return filled(
         tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
-        columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,
+        columns=made.grid.columns, rows=made.grid.rows, size=made.grid.pixel_width, rms=made.rms_px, most=made.max_px,
     )  # fmt: skip
