@@ -21,8 +21,6 @@ BILINEAR, _, EDGE_AWARE = limits.DEMOSAICS
 _REACH_PX = 8  # how far a pixel's neighbours reach, generously: strips overlap by this, an even number
 _STRIP_PIXELS = 4_000_000
 
-_CODES = {"RGGB": "BG", "BGGR": "RG", "GRBG": "GB", "GBRG": "GR"}  # OpenCV names the second row's second pixel first
-
 
 def check_demosaic(demosaic: str) -> None:
     """Raise SettingsError for a way of interpolation that needs OpenCV where that is not there."""
@@ -72,7 +70,8 @@ def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
             raise RasterError(messages.EDGE_AWARE_WANTS_INTEGERS(kind=chip.dtype))
         import cv2
 
-        colours = cv2.cvtColor(chip, getattr(cv2, f"COLOR_Bayer{_CODES[pattern]}2RGB_EA"))
+        code = f"COLOR_Bayer{pattern[:1:-1]}2RGB_EA"  # OpenCV names the second row, from its second pixel back
+        colours = cv2.cvtColor(chip, getattr(cv2, code))
         return np.ascontiguousarray(np.moveaxis(colours, -1, 0))
     result = (_bilinear if demosaic == BILINEAR else _malvar)(chip.astype(np.float64), pattern)
     if chip.dtype.kind == "f":
