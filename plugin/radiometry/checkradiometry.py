@@ -15,7 +15,6 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import IMAGE_QUALITY
-from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.table_fields import column_fields, text
@@ -186,7 +185,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
         chosen = run.text(RULES) if run.parameters.get(RULES) else ""
         path = Path(chosen) if chosen else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES]
-        rules = in_users_language(load_rules(path))
+        rules = load_rules(path, tr)
         given = self._value_range(run)
         return rules if given is None else replace(rules, value_range=given)
 
