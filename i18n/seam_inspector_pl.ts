@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="214"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="212"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="207"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="205"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,12 +39,12 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="208"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="206"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="175"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="173"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -104,22 +104,22 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="181"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="179"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="187"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="185"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="188"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="186"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="195"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="193"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -129,7 +129,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="201"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="199"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -149,7 +149,7 @@
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="81"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
@@ -159,7 +159,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
@@ -189,32 +189,22 @@
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
-        <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
-        <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
-        <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
-        <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="82"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="84"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
@@ -269,12 +259,12 @@
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="63"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; wybierz inne miejsce.</translation>
     </message>
@@ -342,21 +332,6 @@
         <location filename="../plugin/toolkit/messages.py" line="16"/>
         <source>The window has no outline; draw it again.</source>
         <translation>Okno nie ma obrysu; narysuj je od nowa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="17"/>
-        <source>The window is not a polygon; draw it as a rectangle.</source>
-        <translation>Okno nie jest poligonem; narysuj je jako prostokąt.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="18"/>
-        <source>The window has several parts; split it into one window each.</source>
-        <translation>Okno składa się z kilku części; podziel je tak, aby każda część była osobnym oknem.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
-        <source>The outline of the window crosses itself; draw it again as a rectangle.</source>
-        <translation>Obrys okna przecina sam siebie; narysuj okno od nowa jako prostokąt.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="14"/>
@@ -864,7 +839,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="35"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -959,7 +934,7 @@
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="120"/>
+        <location filename="../plugin/photos/interiororientation.py" line="119"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
@@ -1069,7 +1044,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1104,32 +1079,32 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="218"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="216"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="106"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="78"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="230"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="228"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="231"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="229"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1139,22 +1114,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="231"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="235"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="236"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="234"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="235"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1349,7 +1324,7 @@
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="220"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="218"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
@@ -1384,7 +1359,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -1454,42 +1429,42 @@
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="33"/>
         <source>Photo</source>
         <translation>Zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="33"/>
         <source>Any raster that GDAL reads.</source>
         <translation>Dowolny raster, który odczytuje GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="35"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
         <source>Operation</source>
         <translation>Operacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="36"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="35"/>
         <source>negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel (length of the gradient) are floating point.</source>
         <translation>negative, mean i gaussian zachowują typ danych; grey jest 8-bitowy; laplace (druga pochodna) i sobel (długość gradientu) są zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="39"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="38"/>
         <source>Size (px)</source>
         <translation>Wielkość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="40"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="39"/>
         <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; the others ignore it.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="41"/>
         <source>Enhanced photo</source>
         <translation>Poprawione zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="41"/>
         <source>A GeoTIFF.</source>
         <translation>Plik GeoTIFF.</translation>
     </message>
@@ -1519,7 +1494,7 @@
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="62"/>
+        <location filename="../plugin/photos/interiororientation.py" line="61"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
@@ -1639,7 +1614,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -1649,232 +1624,232 @@
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="122"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="123"/>
+        <location filename="../plugin/photos/interiororientation.py" line="122"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="63"/>
+        <location filename="../plugin/photos/interiororientation.py" line="62"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="67"/>
+        <location filename="../plugin/photos/interiororientation.py" line="66"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="72"/>
+        <location filename="../plugin/photos/interiororientation.py" line="71"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="73"/>
+        <location filename="../plugin/photos/interiororientation.py" line="72"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="77"/>
+        <location filename="../plugin/photos/interiororientation.py" line="76"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="82"/>
+        <location filename="../plugin/photos/interiororientation.py" line="81"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="83"/>
+        <location filename="../plugin/photos/interiororientation.py" line="82"/>
         <source>The shape to look for, in the size it has on the photo; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="84"/>
+        <location filename="../plugin/photos/interiororientation.py" line="83"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="85"/>
+        <location filename="../plugin/photos/interiororientation.py" line="84"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="85"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="85"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="87"/>
+        <location filename="../plugin/photos/interiororientation.py" line="86"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="88"/>
+        <location filename="../plugin/photos/interiororientation.py" line="87"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="91"/>
+        <location filename="../plugin/photos/interiororientation.py" line="90"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="92"/>
+        <location filename="../plugin/photos/interiororientation.py" line="91"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="95"/>
+        <location filename="../plugin/photos/interiororientation.py" line="94"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="96"/>
+        <location filename="../plugin/photos/interiororientation.py" line="95"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="97"/>
+        <location filename="../plugin/photos/interiororientation.py" line="96"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="98"/>
+        <location filename="../plugin/photos/interiororientation.py" line="97"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="101"/>
+        <location filename="../plugin/photos/interiororientation.py" line="100"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="102"/>
+        <location filename="../plugin/photos/interiororientation.py" line="101"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="104"/>
+        <location filename="../plugin/photos/interiororientation.py" line="103"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="109"/>
+        <location filename="../plugin/photos/interiororientation.py" line="108"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="109"/>
+        <location filename="../plugin/photos/interiororientation.py" line="108"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="110"/>
+        <location filename="../plugin/photos/interiororientation.py" line="109"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="111"/>
+        <location filename="../plugin/photos/interiororientation.py" line="110"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="111"/>
+        <location filename="../plugin/photos/interiororientation.py" line="110"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="112"/>
+        <location filename="../plugin/photos/interiororientation.py" line="111"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="119"/>
+        <location filename="../plugin/photos/interiororientation.py" line="118"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="164"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="149"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="68"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="52"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="114"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="98"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="115"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="100"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="77"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="61"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="306"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="87"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="82"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="66"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="107"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="108"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="92"/>
         <source>Where no point has a role, this share of them, evenly spread, checks the fit and is not used in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="111"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="112"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="118"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
@@ -1889,207 +1864,207 @@
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="372"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="369"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>For polynomials and quotients. Higher orders need many points and oscillate between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="108"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="114"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="114"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="115"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="113"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="172"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="170"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="172"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="170"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="179"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="177"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="44"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="43"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="54"/>
         <source>The images to be checked, each on its own.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="66"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
         <source>Lines, or polygons that are each filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="85"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="87"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="99"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="102"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="129"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="142"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="140"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="143"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="147"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="79"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="80"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="83"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
@@ -2099,77 +2074,77 @@
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="146"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
         <source>System of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="89"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="147"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="148"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="151"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="93"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="93"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="95"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="152"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="156"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="154"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="157"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="155"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="158"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="294"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="295"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2179,42 +2154,42 @@
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="55"/>
+        <location filename="../plugin/photos/comparemarks.py" line="54"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="63"/>
+        <location filename="../plugin/photos/comparemarks.py" line="62"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="64"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="73"/>
+        <location filename="../plugin/photos/comparemarks.py" line="72"/>
         <source>Pixel size of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="75"/>
+        <location filename="../plugin/photos/comparemarks.py" line="74"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="82"/>
+        <location filename="../plugin/photos/comparemarks.py" line="81"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="83"/>
+        <location filename="../plugin/photos/comparemarks.py" line="82"/>
         <source>The difference of each mark, the second measurement minus the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="138"/>
+        <location filename="../plugin/photos/comparemarks.py" line="137"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -2264,7 +2239,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2309,27 +2284,27 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="97"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2349,19 +2324,14 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="60"/>
-        <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
-        <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="13"/>
@@ -2384,22 +2354,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2409,17 +2379,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2839,7 +2809,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3024,7 +2994,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="92"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -3630,7 +3600,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="48"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -3948,7 +3918,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4323,7 +4293,7 @@
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="50"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
@@ -4623,7 +4593,7 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
@@ -4668,7 +4638,7 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
@@ -5310,87 +5280,87 @@
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="276"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="273"/>
         <source>Plan control points</source>
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="278"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="275"/>
         <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points show how accurate the image is.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="287"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="284"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="289"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="286"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="291"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="288"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="289"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
         <source>Share of the image, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="296"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="293"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="298"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="296"/>
         <source>For a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="300"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="304"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="301"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="304"/>
         <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="308"/>
         <source>For the nominal scanner and the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="312"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="312"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
@@ -5400,177 +5370,177 @@
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="313"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="314"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="314"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="124"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="318"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="315"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="319"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="316"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="320"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="317"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="124"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="109"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="126"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="111"/>
         <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="85"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="79"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
         <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="73"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="74"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="121"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="56"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="66"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="70"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -5925,67 +5895,67 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="47"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="46"/>
         <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is listed with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="63"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="66"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="65"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="70"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="69"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="73"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
         <source>The lowest and highest value that pixels can have, such as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together show it: without it nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="77"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since a cast looks the same as the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="92"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="91"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="95"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="98"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
@@ -6105,7 +6075,7 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="90"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="89"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
@@ -6465,72 +6435,72 @@
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="52"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="57"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="56"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="65"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
         <source>Rules that come with the plugin, instead of the limits above; leave those at their defaults.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those at their defaults. The documentation has an example.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="151"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="150"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="151"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="153"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="153"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
         <source>Share of the measured metres of seam.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="155"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="154"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="156"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="155"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
@@ -6540,47 +6510,47 @@
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="48"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="60"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; is how many there were.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="63"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="62"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="63"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="67"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="66"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
@@ -6595,32 +6565,32 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="109"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="111"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="113"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="121"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="123"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
         <source>Starts the random draw: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -6795,32 +6765,32 @@
         <translation>klin</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="59"/>
+        <location filename="../plugin/photos/interiororientation.py" line="58"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value even if the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="68"/>
+        <location filename="../plugin/photos/interiororientation.py" line="67"/>
         <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look different are measured by drawn ones. A template that looks the same when turned by 180 degrees is measured by its centre of symmetry, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="78"/>
+        <location filename="../plugin/photos/interiororientation.py" line="77"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that is off by more than a thousandth of the frame fails like a measured mark.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="113"/>
+        <location filename="../plugin/photos/interiororientation.py" line="112"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="113"/>
+        <location filename="../plugin/photos/interiororientation.py" line="112"/>
         <source>XML files (*.xml)</source>
         <translation>Pliki XML (*.xml)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="114"/>
+        <location filename="../plugin/photos/interiororientation.py" line="113"/>
         <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
@@ -6830,62 +6800,62 @@
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="59"/>
+        <location filename="../plugin/photos/comparemarks.py" line="58"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo named in their field &apos;photo&apos;, else in the file&apos;s name) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="63"/>
+        <location filename="../plugin/photos/comparemarks.py" line="62"/>
         <source>First measurement, a folder</source>
         <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="64"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>Second measurement, a folder</source>
         <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="68"/>
+        <location filename="../plugin/photos/comparemarks.py" line="67"/>
         <source>Largest mean distance (px)</source>
         <translation>Największa średnia odległość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="70"/>
+        <location filename="../plugin/photos/comparemarks.py" line="69"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most this; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="76"/>
+        <location filename="../plugin/photos/comparemarks.py" line="75"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="79"/>
+        <location filename="../plugin/photos/comparemarks.py" line="78"/>
         <source>Photos</source>
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="80"/>
+        <location filename="../plugin/photos/comparemarks.py" line="79"/>
         <source>Count, mean, maximum (px) and verdict of each photo.</source>
         <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="88"/>
+        <location filename="../plugin/photos/comparemarks.py" line="87"/>
         <source>Marks in both measurements</source>
         <translation>Znaczki w obu pomiarach</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="89"/>
+        <location filename="../plugin/photos/comparemarks.py" line="88"/>
         <source>1 where the mean distance is within the limit, else 0</source>
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="144"/>
+        <location filename="../plugin/photos/comparemarks.py" line="143"/>
         <source>The mean distance is within the limit of {limit:g} px.</source>
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="145"/>
+        <location filename="../plugin/photos/comparemarks.py" line="144"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
@@ -7289,7 +7259,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/acceptance_rules.py" line="27"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -7319,12 +7289,12 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="66"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -7339,32 +7309,32 @@
         <translation>Uwaga do okna {number}:</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="24"/>
         <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="72"/>
+        <location filename="../plugin/photos/comparemarks.py" line="71"/>
         <source>Pixel size (µm)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="122"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>Root mean square of the residuals (µm)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="196"/>
+        <location filename="../plugin/photos/interiororientation.py" line="195"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.</source>
         <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="105"/>
+        <location filename="../plugin/photos/interiororientation.py" line="104"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in µm, correlation, status, reason and the photo&apos;s name.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>
@@ -7382,7 +7352,7 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
@@ -7846,17 +7816,17 @@
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="157"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="156"/>
         <source>Share of the seams on ground with detail. If less was measured, a delivery is not accepted.</source>
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="75"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="74"/>
         <source>accepted, rejected or undecided</source>
         <translation>przyjęto, odrzucono lub nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="77"/>
         <source>Accepted (1), rejected (0), or empty if undecided</source>
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
@@ -8416,7 +8386,7 @@
         <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="58"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="57"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single delivery, an isolated lot, by its limiting quality (ISO 2859-2).</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
@@ -8441,12 +8411,12 @@
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="118"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="117"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at least three times the percentage that you want.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="117"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="116"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -8491,72 +8461,72 @@
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="53"/>
         <source>All seams as Scan a whole mosaic writes them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="71"/>
         <source>A virtual raster: the mosaic with the patches on top. It refers to both, so leave both there.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="56"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="60"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="63"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="67"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="79"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
@@ -8696,12 +8666,12 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <location filename="../plugin/toolkit/messages.py" line="55"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <location filename="../plugin/toolkit/messages.py" line="56"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -8789,17 +8759,17 @@
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
         <source>For a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>The rectangle around the outline is measured where a window is not a rectangle along the mosaic&apos;s axes: {count}.</source>
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
@@ -8809,7 +8779,7 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="58"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="57"/>
         <source>Alone or beside the rasters: the sheets that &apos;Check a delivery&apos; wrote, or a tile index as gdaltindex writes it. The files that their field &apos;location&apos; names are checked.</source>
         <translation>Same lub obok rastrów: arkusze zapisane przez „Sprawdź dostawę” albo indeks arkuszy zapisany przez gdaltindex. Sprawdzane są pliki, które wskazuje ich pole „location”.</translation>
     </message>
@@ -8874,12 +8844,12 @@
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="57"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
         <source>Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -8894,7 +8864,7 @@
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="61"/>
         <source>Rectangles in any reference system; each is checked separately on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
@@ -8904,7 +8874,7 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
         <source>Each seam before and after, in figures and in pictures at 2x.</source>
         <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
     </message>
@@ -9069,62 +9039,62 @@
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="61"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="219"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="220"/>
         <source>Orthorectify a block of photos</source>
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="234"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="235"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="237"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="238"/>
         <source>System of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="240"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="241"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="240"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="243"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="243"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="285"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="282"/>
         <source>The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="297"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="294"/>
         <source>For each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="302"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
         <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
+        <location filename="../plugin/toolkit/messages.py" line="25"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is not a number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -9177,7 +9147,7 @@
         <translation>Zachowane to część najdrobniejszych detali przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="21"/>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
@@ -9187,27 +9157,27 @@
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="40"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="39"/>
         <source>below it a loss is called significant</source>
         <translation>poniżej niej strata uchodzi za istotną</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="41"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="40"/>
         <source>Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous</source>
         <translation>Beeldmateriaal (NL) dopuszcza 2 % odstępstw, jeśli nie są ciągłe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="42"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="41"/>
         <source>half a standard window of 100 m</source>
         <translation>połowa standardowego okna 100 m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="43"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="42"/>
         <source>nothing is accepted on a guess</source>
         <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="91"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="90"/>
         <source>the software&apos;s default ({parameter}): {origin}</source>
         <translation>wartość domyślna programu ({parameter}): {origin}</translation>
     </message>
@@ -9222,22 +9192,22 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="220"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="218"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="221"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="222"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are processed.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="229"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="230"/>
         <source>For a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="227"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="228"/>
         <source>Folder of an OpenDroneMap project, or of photos</source>
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
@@ -9256,7 +9226,7 @@
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="148"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="147"/>
         <source>Radiometry: {word}.</source>
         <translation>Radiometria: {word}.</translation>
     </message>
@@ -9266,7 +9236,7 @@
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
         <source>Seam Inspector was updated or turned off while this ran; start it again.</source>
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
@@ -9713,7 +9683,7 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="102"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
@@ -9848,7 +9818,7 @@
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859, albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="45"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="44"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you choose.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
     </message>
@@ -9873,7 +9843,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="70"/>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -9995,7 +9965,7 @@
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="76"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="75"/>
         <source>Its reasons, in words</source>
         <translation>Uzasadnienie słowami</translation>
     </message>
@@ -10135,17 +10105,17 @@
         <translation>co najmniej {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="42"/>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
         <source>Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on the scheduler, the workers and here.</source>
         <translation>Pod adresem {address} odpowiada Dask {versions}, a tutaj jest Dask {own}; zainstaluj tę samą wersję dask i distributed dla schedulera, procesów roboczych i tutaj.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="45"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -10268,17 +10238,17 @@
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is {value:g}; give {least:g} or more.</source>
         <translation>„{parameter}” to {value:g}; podaj {least:g} lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number from {least:g} to {most:g}.</source>
         <translation>„{parameter}” to {value:g}; podaj liczbę od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;; give one of {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
@@ -10387,7 +10357,7 @@
         <translation>Niektórych położeń nie da się przeliczyć do innego układu współrzędnych; sprawdź układy warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address, the network, and GDAL&apos;s settings and credentials, or copy it to a local disk.</source>
         <translation>Nie można odczytać {name} przez sieć ({why}); sprawdź adres, sieć oraz ustawienia i dane logowania GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
@@ -10397,7 +10367,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="59"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -10472,7 +10442,7 @@
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="41"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="40"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
@@ -10512,7 +10482,7 @@
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="52"/>
+        <location filename="../plugin/toolkit/messages.py" line="50"/>
         <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
@@ -10547,7 +10517,7 @@
         <translation>{name}: nie można odczytać jako warstwy linii; wybierz warstwę „Odcinki linii mozaikowania” ze skanu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="54"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="53"/>
         <source>What windows are placed on. With the same seed, windows and pieces are the same sample.</source>
         <translation>Na czym rozmieszczane są okna. Przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
@@ -10601,17 +10571,17 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; weź mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="77"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>The seamline layer holds no line and no polygon; give that of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; podaj warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="89"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
@@ -10676,27 +10646,27 @@
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="38"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos;, or give no scheduler.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="40"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or give none.</source>
         <translation>Pod adresem {address} nie odpowiada scheduler Dask ({error}); sprawdź adres (zwykle z portem 8786) albo nie podawaj żadnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are spawned needs the line if __name__ == &apos;__main__&apos;: above its work.</source>
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie. Skrypt, którego procesy są uruchamiane od nowa (spawn), musi mieć nad swoimi poleceniami wiersz if __name__ == &apos;__main__&apos;:.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="50"/>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
         <source>The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="54"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL&apos;s python3-gdal), or give no scheduler.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam (osgeo to python3-gdal z GDAL) albo nie podawaj schedulera.</translation>
     </message>
@@ -10835,7 +10805,7 @@
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.</source>
         <translation>{path} pozostaje bez zmian, bo obliczeń nie ukończono albo plik jest otwarty w innym programie; nowa warstwa to {part}.</translation>
     </message>
@@ -11015,22 +10985,22 @@
         <translation>NMT {name} ma oczka {mesh:.1f} m; najlepsze są od 10 do 30 m: w większych ginie rzeźba terenu, a mniejsze mogą na obrazie satelitarnym wyginać linie proste, na przykład drogi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="59"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture or orthority.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture lub orthority.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
         <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. Empty: in the file of the exterior orientation.</source>
         <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho lub ContextCapture. Puste: w pliku orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="53"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
@@ -11145,7 +11115,7 @@
         <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy, nie został podany albo ortofotomapa mu tu nie odpowiada</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
         <source>Inspected windows: each gives its cause and remarks to the failures of which it shows a part.</source>
         <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterkom, których część pokazuje.</translation>
     </message>
@@ -11209,7 +11179,7 @@
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa.</translation>
     </message>
@@ -11267,6 +11237,16 @@
         <location filename="../plugin/resolution/measure/messages.py" line="13"/>
         <source>Not one straight line; draw it with two points across the bars of the group.</source>
         <translation>To nie jest jedna linia prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="17"/>
+        <source>The window is not a single polygon whose outline crosses nowhere; draw it as a rectangle.</source>
+        <translation>Okno nie jest pojedynczym wielobokiem o nieprzecinającym się obrysie; narysuj je jako prostokąt.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <source>&apos;{wavelet}&apos; is not orthogonal, or no wavelet of PyWavelets; use one such as coif3, db4 or sym8.</source>
+        <translation>'{wavelet}' nie jest ortogonalna albo nie jest falką z PyWavelets; użyj takiej jak coif3, db4 lub sym8.</translation>
     </message>
 </context>
 </TS>
