@@ -99,15 +99,12 @@ def choose_check_points(points: Points, share: float) -> Points:
 
 def image_points(image: OpenRaster) -> Points:
     """The points of an image, all for control; heights that are all 0 are none. Raises SensorModelError without any."""
-    gcps = image.dataset.GetGCPs() or ()
-    if not gcps:
+    gcps, wkt = image.dataset.GetGCPs() or (), image.dataset.GetGCPProjection() or image.ref.wkt
+    numbers = np.array([(gcp.GCPPixel, gcp.GCPLine, gcp.GCPX, gcp.GCPY, gcp.GCPZ) for gcp in gcps], float)
+    if not gcps or not np.isfinite(numbers).all():
         raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
-    wkt = image.dataset.GetGCPProjection() or image.ref.wkt
     if not wkt:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=image.ref.name))
-    numbers = np.array([(gcp.GCPPixel, gcp.GCPLine, gcp.GCPX, gcp.GCPY, gcp.GCPZ) for gcp in gcps], float)
-    if not np.isfinite(numbers).all():
-        raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
     if not numbers[:, 4].any():
         numbers[:, 4] = np.nan
     names = [gcp.Id or str(number) for number, gcp in enumerate(gcps, 1)]
