@@ -34,9 +34,8 @@ from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.open_raster import describe_north_up
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
-from ...toolkit.desk.layer_box import LayerBox, vectors_without
 from ...toolkit.desk.tool_dock import ToolDock, bar_level
-from ...toolkit.desk.widgets import ClippedLabel
+from ...toolkit.desk.widgets import ClippedLabel, LayerBox, vectors_without
 from ...toolkit.layers import layer_ref, mosaic_crs, transformed_point
 from ...toolkit.reference_systems import transformation
 from ...toolkit.translation import sentence, tr
