@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval
@@ -105,8 +104,6 @@ class FrameInterior:
 @dataclass(frozen=True)
 class FrameCamera(SensorModel):
     """Collinearity: x, y of a plane system and heights are one Cartesian space. What is behind the camera is NaN."""
-
-    GEOGRAPHIC: ClassVar[bool] = False
 
     interior: FrameInterior
     position: np.ndarray  # (3,) projection centre: x, y, height, m
