@@ -24,7 +24,6 @@ from ..toolkit.table_fields import column_features, column_fields, table_fields
 from ..toolkit.translation import filled, sentence, tr
 from .measure import limits, messages, registry
 from .sensor_parameters import (
-    IMAGE,
     IMAGE_RPC,
     ORBIT_HEIGHT,
     ROBUST,
@@ -318,9 +317,6 @@ class PlanPoints(SensorAlgorithm):
             "and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well "
             "as the control points."
         ))
-
-    def prepare(self, run: Run) -> None:
-        self._image_ref = run.raster(IMAGE)
 
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure.point_planning import PointPlan, expected_accuracies
