@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -344,17 +344,17 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="205"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="204"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="179"/>
+        <location filename="../plugin/noise/charts.py" line="178"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="180"/>
+        <location filename="../plugin/noise/charts.py" line="179"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -369,12 +369,12 @@
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="323"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="321"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="320"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="319"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -434,47 +434,47 @@
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="151"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="155"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="131"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="130"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="198"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -484,62 +484,62 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="207"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="184"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="212"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="211"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="214"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="238"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="240"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="355"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="354"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/layer_box.py" line="56"/>
+        <location filename="../plugin/toolkit/desk/widgets.py" line="352"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
@@ -644,7 +644,7 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="100"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="134"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -704,27 +704,27 @@
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="264"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
@@ -779,17 +779,17 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="268"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="281"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="356"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="355"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -814,7 +814,7 @@
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="322"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="320"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
@@ -894,17 +894,17 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="95"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -914,12 +914,12 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="297"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
@@ -959,72 +959,72 @@
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
         <source>no image</source>
         <translation>brak obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="67"/>
         <source> cm</source>
         <translation> cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="185"/>
         <source>along</source>
         <translation>wzdłuż</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="185"/>
         <source>across</source>
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="178"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="291"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="289"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="354"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="352"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="357"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="355"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="356"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="96"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="94"/>
         <source>Bars</source>
         <translation>Paski</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="97"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="95"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="360"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
@@ -1079,7 +1079,7 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="216"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="215"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
@@ -1099,12 +1099,12 @@
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="228"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="227"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="229"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="228"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1114,22 +1114,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="231"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="230"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="232"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="234"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="235"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="234"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1809,7 +1809,7 @@
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="302"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
@@ -1844,7 +1844,7 @@
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="306"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
@@ -1854,142 +1854,142 @@
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="73"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that the fit does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="369"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="365"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>For polynomials and quotients. Higher orders need many points and oscillate between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="108"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="113"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="116"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="116"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="170"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="169"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="170"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="169"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="177"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="176"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -3342,17 +3342,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="49"/>
+        <location filename="../plugin/noise/charts.py" line="48"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="123"/>
+        <location filename="../plugin/noise/charts.py" line="122"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="140"/>
+        <location filename="../plugin/noise/charts.py" line="139"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -3550,32 +3550,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="58"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="65"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -4013,42 +4013,42 @@
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="268"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="268"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="268"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -4338,52 +4338,52 @@
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="265"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="300"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="303"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="277"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="303"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="298"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="301"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="303"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -4913,37 +4913,37 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="132"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="142"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="141"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
         <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="266"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="266"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="236"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="236"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -5130,22 +5130,22 @@
         <translation>Krzywa rośnie, ale w tej teksturze może się kryć szum grubszy niż piksel (ziarno); zmierz gładszy teren.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="98"/>
+        <location filename="../plugin/noise/charts.py" line="97"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="99"/>
+        <location filename="../plugin/noise/charts.py" line="98"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="122"/>
+        <location filename="../plugin/noise/charts.py" line="121"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="123"/>
+        <location filename="../plugin/noise/charts.py" line="122"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -5280,87 +5280,87 @@
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="273"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="272"/>
         <source>Plan control points</source>
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="275"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="274"/>
         <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points show how accurate the image is.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="284"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="283"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="286"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="285"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="288"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="287"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="289"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="288"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="291"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="291"/>
         <source>Share of the image, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="293"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="294"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="296"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
         <source>For a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="300"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="301"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="300"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="304"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
         <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="308"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
         <source>For the nominal scanner and the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="308"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="308"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
@@ -5370,17 +5370,17 @@
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
@@ -5390,17 +5390,17 @@
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="315"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="314"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="316"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="315"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="317"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="316"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
@@ -5445,47 +5445,47 @@
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
@@ -5605,7 +5605,7 @@
         <translation>szerokości dotyczą</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
         <source>one bar</source>
         <translation>jeden pasek</translation>
     </message>
@@ -5625,37 +5625,37 @@
         <translation>pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
         <source>bar and gap</source>
         <translation>pasek i przerwa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="70"/>
         <source>of the group</source>
         <translation>danej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="70"/>
         <source>of the coarsest group</source>
         <translation>najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
         <source>Distance of the reference group: the width of what is chosen beside it.</source>
         <translation>GRD grupy odniesienia: szerokość tego, co wybrano obok.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="77"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
         <source>What a distance measures: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
         <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="81"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
         <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
         <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="98"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="96"/>
         <source>Full amplitude</source>
         <translation>Pełna amplituda</translation>
     </message>
@@ -7294,7 +7294,7 @@
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="64"/>
+        <location filename="../plugin/toolkit/messages.py" line="62"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -7352,7 +7352,7 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
@@ -7603,7 +7603,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="178"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -8191,7 +8191,7 @@
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
@@ -8551,7 +8551,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="271"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="270"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -8666,12 +8666,12 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="55"/>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="56"/>
+        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -8984,7 +8984,7 @@
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
         <source>quotients of order 2 at most, without the terms that the points do not support</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
@@ -9079,17 +9079,17 @@
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="282"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="281"/>
         <source>The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="294"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="293"/>
         <source>For each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="298"/>
         <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
@@ -9192,7 +9192,7 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="218"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="217"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
@@ -9566,7 +9566,7 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
@@ -9843,7 +9843,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -10115,7 +10115,7 @@
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="59"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -10367,7 +10367,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -10447,7 +10447,7 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="283"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="282"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
@@ -10480,11 +10480,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="175"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="50"/>
-        <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
-        <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="399"/>
@@ -10661,12 +10656,7 @@
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie. Skrypt, którego procesy są uruchamiane od nowa (spawn), musi mieć nad swoimi poleceniami wiersz if __name__ == &apos;__main__&apos;:.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="48"/>
-        <source>The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.</source>
-        <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo nie podawaj schedulera.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="52"/>
+        <location filename="../plugin/toolkit/messages.py" line="50"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL&apos;s python3-gdal), or give no scheduler.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam (osgeo to python3-gdal z GDAL) albo nie podawaj schedulera.</translation>
     </message>
@@ -10805,7 +10795,7 @@
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="66"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.</source>
         <translation>{path} pozostaje bez zmian, bo obliczeń nie ukończono albo plik jest otwarty w innym programie; nowa warstwa to {part}.</translation>
     </message>
@@ -10870,7 +10860,7 @@
         <translation>Na żywo: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
     </message>
@@ -11241,12 +11231,17 @@
     <message>
         <location filename="../plugin/toolkit/messages.py" line="17"/>
         <source>The window is not a single polygon whose outline crosses nowhere; draw it as a rectangle.</source>
-        <translation>Okno nie jest pojedynczym wielobokiem o nieprzecinającym się obrysie; narysuj je jako prostokąt.</translation>
+        <translation>Okno nie jest pojedynczym poligonem, którego obrys nigdzie się nie przecina; narysuj je jako prostokąt.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="70"/>
         <source>&apos;{wavelet}&apos; is not orthogonal, or no wavelet of PyWavelets; use one such as coif3, db4 or sym8.</source>
-        <translation>'{wavelet}' nie jest ortogonalna albo nie jest falką z PyWavelets; użyj takiej jak coif3, db4 lub sym8.</translation>
+        <translation>&apos;{wavelet}&apos; nie jest ortogonalna albo nie jest falką z PyWavelets; użyj takiej jak coif3, db4 lub sym8.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <source>The Dask scheduler at {address} is gone, or has no workers that answer; start some, or give no scheduler.</source>
+        <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma procesów roboczych, które odpowiadają; uruchom je albo nie podawaj schedulera.</translation>
     </message>
 </context>
 </TS>

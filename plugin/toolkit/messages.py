@@ -45,9 +45,7 @@ EXECUTOR_LOST = Message(
     "The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are "
     "spawned needs the line if __name__ == '__main__': above its work.")
 SCHEDULER_WITHOUT_WORKERS = Message(
-    "The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.")
-WORKERS_LOST = Message(
-    "The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.")
+    "The Dask scheduler at {address} is gone, or has no workers that answer; start some, or give no scheduler.")
 WORKERS_WITHOUT_PACKAGES = Message(
     "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL's "
     "python3-gdal), or give no scheduler.")
