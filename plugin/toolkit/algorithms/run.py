@@ -272,9 +272,9 @@ class Run:
         """Raise SettingsError for a file or a raster whose ending says something else than is written."""
         for definition in self._algorithm.destinationParameterDefinitions():
             path = Path(output_text(self.parameters.get(definition.name()), self.context))
-            is_file = isinstance(definition, QgsProcessingParameterFileDestination) and path.name
             is_raster = isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix
-            filters = definition.fileFilter() if is_file else GEOTIFF_FILES if is_raster else ""
+            is_other = isinstance(definition, QgsProcessingParameterFileDestination) and path.name
+            filters = GEOTIFF_FILES if is_raster else definition.fileFilter() if is_other else ""
             if filters and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
                 raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
 
