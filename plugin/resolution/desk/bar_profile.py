@@ -111,11 +111,6 @@ class BarProfile(QWidget):
     def sizeHint(self) -> QSize:
         return 2 * self.minimumSize()
 
-    @property
-    def bands_shown(self) -> int:
-        """How many profiles are seen."""
-        return len(self._readings)
-
     def show_results(self, results: Sequence[GroupResult], criterion: float) -> None:
         """Paint what a line showed; nothing where nothing was measured."""
         self._readings = {result.band: result.reading for result in results if result.reading is not None}

@@ -28,11 +28,6 @@ class BarTool(DrawingTool):
         self._start: QgsPointXY | None = None
         self._pressed_at: QPoint | None = None
 
-    @property
-    def is_drawing(self) -> bool:
-        """Whether a first end is set."""
-        return self._start is not None
-
     def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._start is None:
             self._start, self._pressed_at = event.mapPoint(), event.pixelPoint()
