@@ -193,7 +193,7 @@ class CheckRadiometry(RasterListAlgorithm):
         value = run.parameters.get(VALUE_RANGE)
         if value is None or set(re.findall(r"[^\s,()[\]]+", str(value).lower())) <= {"nan", "none"}:
             return None  # the form says "None,None" with nothing in it
-        low, high = run.number_range(VALUE_RANGE)
+        low, high = map(float, self.parameterAsRange(run.parameters, VALUE_RANGE, run.context))
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
             raise SettingsError(messages.VALUE_RANGE_BAD())
         return low, high

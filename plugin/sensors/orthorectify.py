@@ -174,7 +174,8 @@ class Orthorectify(OrthoAlgorithm):
         sight = self._model(run, image)
         request = self._request(run, image.ref, sight, Path(run.layer_path(OUTPUT)))
         if run.parameters.get(EXTENT):
-            target = run.crs(CRS) if request.target_wkt else run.extent_crs(EXTENT)
+            named = self.parameterAsExtentCrs(run.parameters, EXTENT, run.context)
+            target = run.crs(CRS) if request.target_wkt else named
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
             extent = box_extent(run.extent(EXTENT, target))

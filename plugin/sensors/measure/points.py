@@ -70,10 +70,6 @@ class Points:
         usual = float(np.median(self.sigma_px[known])) if known.any() else 1.0
         return 1 / np.clip(np.where(known, self.sigma_px, usual), *SIGMAS_PX)
 
-    @property
-    def sigma_known(self) -> bool:
-        return bool((self.sigma_px > 0).any())
-
 
 def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wkt: str) -> Points:
     """Points of which nothing else is known: none for check, and no heights where ``ground`` is (n, 2)."""

@@ -88,11 +88,6 @@ class Run:
     def real(self, name: str) -> float:
         return float(self._algorithm.parameterAsDouble(self.parameters, name, self.context))
 
-    def number_range(self, name: str) -> tuple[float, float]:
-        """Two numbers; NaN where one is not given or is none."""
-        low, high = self._algorithm.parameterAsRange(self.parameters, name, self.context)
-        return float(low), float(high)
-
     def flag(self, name: str) -> bool:
         return bool(self._algorithm.parameterAsBool(self.parameters, name, self.context))
 
@@ -101,9 +96,6 @@ class Run:
 
     def extent(self, name: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
         return self._algorithm.parameterAsExtent(self.parameters, name, self.context, crs)
-
-    def extent_crs(self, name: str) -> QgsCoordinateReferenceSystem:
-        return self._algorithm.parameterAsExtentCrs(self.parameters, name, self.context)
 
     def path(self, name: str) -> str:
         return str(self._algorithm.parameterAsFile(self.parameters, name, self.context))
