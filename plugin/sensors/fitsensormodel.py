@@ -237,7 +237,7 @@ class CompareSensorModels(SensorAlgorithm):
         from .measure import adjustment
         from .measure.heights import is_flat
         from .measure.points import control_coverage, coverage_warnings
-        from .point_tables import MODELS, ModelRow
+        from .point_tables import model_columns
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -249,8 +249,9 @@ class CompareSensorModels(SensorAlgorithm):
             points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
             is_flat(points), run.progress, run.is_cancelled,
         )
-        sink, output = run.sink(OUTPUT, column_fields(MODELS))
-        run.write(sink, column_features(MODELS, [ModelRow(result, model) for model in result.rows]))
+        columns = model_columns(result)
+        sink, output = run.sink(OUTPUT, column_fields(columns))
+        run.write(sink, column_features(columns, result.rows))
         run.tell(result.reason)
 
         def write_report(path: Path) -> None:

@@ -214,12 +214,11 @@ def height_datums(run: Run, *names: str) -> list[Datum]:
     """The datums of heights by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
     from ..imagery.rasters import RasterRef
     from .measure.heights import GEOID as BY_GRID
-    from .measure.heights import Geoid
 
     words, path = [run.text(name) for name in names], run.path(GEOID)
     if (BY_GRID in words) != bool(path):
         raise SettingsError(messages.GEOID_OR_NONE())
-    return [Geoid(RasterRef(path)) if word == BY_GRID else word for word in words]
+    return [RasterRef(path) if word == BY_GRID else word for word in words]
 
 
 def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
