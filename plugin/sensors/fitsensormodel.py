@@ -144,9 +144,9 @@ class FitSensorModel(SensorAlgorithm):
             (column, row), *_ = biases = files.rpc_bias.tolist()
             most = max(math.hypot(*bias) for bias in biases)
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
-        view = view_direction(done.fitted.model, points.wkt, files.domain)
+        view = view_direction(done.fitted.model, points.wkt, files.domain, run.real(TERRAIN_ERROR))
         if view is not None:
-            notices.append(view.notice(run.real(TERRAIN_ERROR)))
+            notices.append(messages.VIEW_TOLD(**view._asdict()))
         run.tell(*notices)
         run.progress(0.6)
         system = reference_system(points.wkt)
@@ -179,7 +179,7 @@ class FitSensorModel(SensorAlgorithm):
                 sides = {"x": errors.rmse_x, "y": errors.rmse_y, "max_x": errors.max_x, "max_y": errors.max_y}
                 run.inform(filled(words, name=title, count=errors.count, **sides))
         condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
-        return {**results, CONDITION: condition, **view_numbers(run, view), BIAS_COLUMN: column, BIAS_ROW: row}
+        return {**results, CONDITION: condition, **view_numbers(view), BIAS_COLUMN: column, BIAS_ROW: row}
 
     def _request(self, run: Run, image: OpenRaster | None, rpc: Rational | None) -> ModelRequest:
         kind = registry.KINDS[run.text(MODEL)]

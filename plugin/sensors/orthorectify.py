@@ -183,12 +183,12 @@ class Orthorectify(OrthoAlgorithm):
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
         run.inform(_described(made))
-        view = view_direction(*sight[:3])
+        view = view_direction(*sight[:3], run.real(TERRAIN_ERROR))
         if view is not None:
-            run.tell(view.notice(run.real(TERRAIN_ERROR)))
+            run.tell(messages.VIEW_TOLD(**view._asdict()))
         return {
             OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered,
-            **view_numbers(run, view),
+            **view_numbers(view),
         }  # fmt: skip
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:

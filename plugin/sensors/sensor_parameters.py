@@ -204,9 +204,9 @@ def optional_real(run: Run, name: str) -> float | None:
     return None if run.parameters.get(name) in (None, "") else run.real(name)
 
 
-def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
+def view_numbers(view: ViewDirection | None) -> dict[str, float | None]:
     """The numbers of a view; None for a plane model."""
-    numbers = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
+    numbers = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift)
     return dict(zip((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT), numbers))
 
 
