@@ -146,7 +146,7 @@ class FitSensorModel(SensorAlgorithm):
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
         view = view_direction(done.fitted.model, points.wkt, files.domain, run.real(TERRAIN_ERROR))
         if view is not None:
-            notices.append(messages.VIEW_TOLD(**view._asdict()))
+            notices.append(view.notice)
         run.tell(*notices)
         run.progress(0.6)
         system = reference_system(points.wkt)

@@ -185,7 +185,7 @@ class Orthorectify(OrthoAlgorithm):
         run.inform(_described(made))
         view = view_direction(*sight[:3], run.real(TERRAIN_ERROR))
         if view is not None:
-            run.tell(messages.VIEW_TOLD(**view._asdict()))
+            run.tell(view.notice)
         return {
             OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered,
             **view_numbers(view),

@@ -87,13 +87,19 @@ def _built(kind: Any, plain: Any) -> Any:
 
 
 class ViewDirection(NamedTuple):
-    """The line of sight, at the ground, as ``messages.VIEW_TOLD`` tells it."""
+    """The line of sight, at the ground."""
 
     angle: float  # from the vertical, degrees, in the middle of the image
     azimuth: float  # where it was taken from, degrees from north over east
     largest: float  # the largest angle from the vertical in the image's corners, degrees
     error: float  # in the terrain's heights, m
     shift: float  # of the orthoimage's middle by that error, m
+
+    @property
+    def notice(self) -> Message:
+        return messages.VIEW_TOLD(
+            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=self.error, shift=self.shift
+        )
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain, error: float) -> ViewDirection | None:
