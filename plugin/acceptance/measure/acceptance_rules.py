@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 from pathlib import Path
@@ -144,13 +144,13 @@ def limit_rules(
     return replace(rules, name=str(limits_in_words(rules)))
 
 
-def load_acceptance_rules(path: Path | str, worded: Callable[[str], str] = str) -> AcceptanceRules:
+def load_acceptance_rules(path: Path | str) -> AcceptanceRules:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
     check_type("path", path, *PATH_TYPES)
-    return read_rules(Path(path), _acceptance_rules, worded)
+    return read_rules(Path(path), rules_of_objects)
 
 
-def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:
+def rules_of_objects(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:
     whole.allow(("name", "rules"))
     by_check: dict[str, RuleObject] = {}
     for rule in objects:

@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from qgis.core import QgsProcessingProvider
-from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules
-from seam_inspector.plugin.imagery.documents import RuleObject, ready_rules
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import rules_of_objects
+from seam_inspector.plugin.imagery.documents import RuleObject, read_rules, ready_rules
 from seam_inspector.plugin.imagery.messages import RULES_PLACE
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.radiometry.measure.rules import load_rules, ready_rule_files
@@ -12,7 +12,7 @@ from seam_inspector.plugin.toolkit.translation import tr
 
 def test_ready_rules_and_their_sources_are_polish(polish: None) -> None:
     for path in ready_rules("acceptance").values():
-        rules, worded = load_acceptance_rules(path), load_acceptance_rules(path, tr)
+        rules, worded = (read_rules(path, rules_of_objects, words) for words in (str, tr))
         assert worded.name != rules.name
         assert worded.kept_source != rules.kept_source
         assert [rule.limit for rule in worded.rules] == [rule.limit for rule in rules.rules]
