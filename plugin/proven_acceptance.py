@@ -93,7 +93,7 @@ def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator
     from .imagery.limits import has_colours
     from .seams.clip_pictures import make_pictures
     from .seams.measure.window.explained_window import window_composite
-    from .toolkit.picture_stretch import brightness
+    from .toolkit.pictures import brightness
 
     pictures, ranges = make_pictures(request)
     if not pictures or not pictures[0].is_mosaic:

@@ -44,7 +44,6 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         "decide it. A piece of seam fails when it kept less than required; metres are sums of whole pieces. What could "
         "not be measured never counts as passed."
     )
-    RASTER_LISTS = (SEAMS, common.MOSAIC, common.SOURCES)
     PAGES = (REPORT, QUALITY)
 
     def initAlgorithm(self, configuration: Any = None) -> None:

@@ -80,8 +80,6 @@ class CheckDelivery(SeamInspectorAlgorithm):
             IS_COMPLETE: tr("Complete (1) or not (0)"),
         })
 
-    NAMED_BY_FORMAT = (VRT,)
-
     def check(self, run: Run) -> None:
         if not run.path(FOLDER) and not run.parameters.get(SHEETS):
             raise SettingsError(messages.NO_DELIVERY())

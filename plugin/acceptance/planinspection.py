@@ -34,7 +34,6 @@ class PlanInspection(SeamInspectorAlgorithm):
         "requires, or as large as you choose. The sample comes as pieces of seam for 'Accept or reject a delivery', or "
         "as windows that open in the desk to be judged. The same seed draws the same sample."
     )
-    RASTER_LISTS = (SEAMS,)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.layers(SEAMS, tr("Seams"), common.LINE), tr(

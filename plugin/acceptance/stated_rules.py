@@ -7,11 +7,10 @@ from typing import Any
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ..imagery.documents import ready_rules
+from ..imagery.documents import read_rules, ready_rules
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
-from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, sentence, tr
 from .measure import acceptance_rules as limits
@@ -60,7 +59,7 @@ def stated_rules(run: Run) -> limits.AcceptanceRules:
     for parameter, value in given.items():
         if value != DEFAULTS[parameter]:
             raise SettingsError(messages.RULES_AND_PARAMETER(parameter=parameter, value=value, name=name))
-    return in_users_language(limits.load_acceptance_rules(Path(path) if path else ready_rules("acceptance")[ready]))
+    return read_rules(Path(path) if path else ready_rules("acceptance")[ready], limits.rules_of_objects, tr)
 
 
 def standard_quality(run: Run, name: str) -> str:

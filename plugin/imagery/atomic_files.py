@@ -70,19 +70,13 @@ class UnfinishedFile:
     def __init__(self, path: Path) -> None:
         """Raises OSError where no file can be."""
         self._path = Path(os.path.realpath(path))  # the file that a link points to is replaced, not the link
+        self.replaces = self._path.exists()
+        """Whether there is an older one."""
         if self.replaces and not os.access(self._path, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         self._folder = Path(tempfile.mkdtemp(prefix=unfinished_name(self._path), dir=self._path.parent))
-
-    @property
-    def written(self) -> Path:
+        self.written = self._folder / self._path.name
         """The place it is written to."""
-        return self._folder / self._path.name
-
-    @property
-    def replaces(self) -> bool:
-        """Whether there is an older one."""
-        return self._path.exists()
 
     def keep(self, companions: Iterable[str] = ()) -> None:
         """It is whole and becomes what it is to be. ``companions``: names of files beside the older one that go with it

@@ -11,7 +11,8 @@ import json
 import math
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import count
 from pathlib import Path
 from typing import Any, Callable, TypeVar
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
@@ -99,6 +100,8 @@ class RuleObject:
     """Name of the file."""
     place: Message
     """Place of the object in it."""
+    worded: Callable[[str], str] = str
+    """Words of ready files in the user's language."""
 
     def allow(self, known: Collection[str]) -> None:
         """Refuse every other key."""
@@ -152,11 +155,17 @@ class RuleObject:
         source = self.content.get("source")
         if not isinstance(source, str) or not source.strip():
             raise SettingsError(messages.RULES_SOURCE_MISSING(place=self.place, name=self.file))
-        return source
+        return self.worded(source)
+
+    def name(self) -> str:
+        """What its maker calls it; else the file's name."""
+        return self.worded(str(self.content.get("name") or self.file))
 
 
-def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made]) -> Made:
-    """What ``make`` makes of a file's object and of its rules.
+def read_rules(
+    path: Path, make: Callable[[RuleObject, list[RuleObject]], Made], worded: Callable[[str], str] = str
+) -> Made:
+    """What ``make`` makes of a file's object and of its rules, the words of ready ones in the user's language.
 
     Raises SettingsError, also by ``make``, that says what is wrong with the file, and where.
     """
@@ -171,8 +180,9 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
     rules = content.get("rules") if isinstance(content, dict) else None
     if not isinstance(rules, list) or not rules or not all(isinstance(rule, dict) for rule in rules):
         raise SettingsError(messages.RULES_NO_OBJECT(name=path.name))
-    whole = RuleObject(content, path.name, messages.RULES_PLACE())
-    return make(whole, [RuleObject(rule, path.name, messages.RULE_PLACE(number=n)) for n, rule in enumerate(rules, 1)])
+    whole = RuleObject(content, path.name, messages.RULES_PLACE(), worded)
+    places = (messages.RULE_PLACE(number=number) for number in count(1))
+    return make(whole, [replace(whole, content=rule, place=place) for rule, place in zip(rules, places)])
 
 
 def ready_rules(subject: str) -> dict[str, Path]:

@@ -57,7 +57,6 @@ WINDOW_TOO_SMALL = Message(
     "or use fewer levels where these ask for more than 64 px.")
 WINDOW_TOO_LARGE = Message(
     "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; take a smaller one.")
-WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so windows can't be placed on it on the map.")
 WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.", WARNING)
 WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}", WARNING)
 # pixels in a window
@@ -67,10 +66,8 @@ TOO_MANY_INVALID = Message(
 NOTHING_MEASURED = Message("No window could be measured: {why}")
 ABOUT = Message("{what}: {why}", INFO)  # one of many: a window, a mark, a group
 # the decomposition
-WAVELET_UNKNOWN = Message("PyWavelets has no discrete wavelet '{wavelet}'; use an orthogonal one such as coif3.")
 WAVELET_NOT_ORTHOGONAL = Message(
-    "The wavelet '{wavelet}' is not orthogonal, so the shares of its components do not add up to the clip's variance; "
-    "use an orthogonal one such as coif3, db4 or sym8.")
+    "'{wavelet}' is not orthogonal, or no wavelet of PyWavelets; use one such as coif3, db4 or sym8.")
 LEVELS_OUT_OF_RANGE = Message("{levels} levels were asked for; give {least} to {most}.")
 # seamlines
 SEAMLINES_NO_LINES = Message(

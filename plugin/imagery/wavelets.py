@@ -65,9 +65,7 @@ class Curve:
 def check_decomposition(wavelet: str, levels: int) -> None:
     """Raise SettingsError unless the wavelet is orthogonal and the levels are 1 to 8."""
     if wavelet not in limits.WAVELETS:
-        if wavelet in pywt.wavelist(kind="discrete"):
-            raise SettingsError(messages.WAVELET_NOT_ORTHOGONAL(wavelet=wavelet))
-        raise SettingsError(messages.WAVELET_UNKNOWN(wavelet=wavelet))
+        raise SettingsError(messages.WAVELET_NOT_ORTHOGONAL(wavelet=wavelet))
     limits.check_type("levels", levels, int)
     if not limits.MIN_LEVELS <= levels <= limits.MAX_LEVELS:
         raise SettingsError(

@@ -11,9 +11,8 @@ from matplotlib.ticker import Locator, NullLocator
 
 from ..imagery.errors import printable
 from ..imagery.limits import LUMINANCE, judged_band
-from ..toolkit.charts.chart_style import PAPER, band_colour
+from ..toolkit.charts.chart_style import PAPER, band_colour, decade_ticks, round_below
 from ..toolkit.charts.figure_files import new_figure
-from ..toolkit.charts.round_ticks import decade_ticks, round_below
 from ..toolkit.translation import band_title, filled, formatted, tr
 from .measure.band_noise import BandNoise, noisiest_band
 from .measure.group_noise import ClipNoise

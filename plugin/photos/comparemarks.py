@@ -48,7 +48,6 @@ class CompareMarks(SeamInspectorAlgorithm):
         "is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos "
         "are compared in one run: give folders, or merged layers with a field 'photo'."
     )
-    RASTER_LISTS = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         described = tr(

@@ -28,7 +28,6 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         "against grain, Laplace or Sobel for edges. Photos of any size are processed in strips; georeference and "
         "invalid pixels are not changed. Marks are measured on the photo itself, not on this copy."
     )
-    RASTER_LISTS = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.raster(PHOTO, tr("Photo")), tr("Any raster that GDAL reads."))

@@ -51,7 +51,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         "extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can't be trusted fails with the "
         "reason; point at it on the map and give that point as its position, with the measurement off."
     )
-    RASTER_LISTS = ()
     DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:

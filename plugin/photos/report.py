@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 from scipy import ndimage
 
-from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import HowMeasured, measured_raster, save_page, sentences_once, whole_path
+from ..toolkit.pictures import encoded
 from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration

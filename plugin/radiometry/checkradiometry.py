@@ -15,7 +15,6 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import IMAGE_QUALITY
-from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.table_fields import column_fields, text
@@ -186,7 +185,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
         chosen = run.text(RULES) if run.parameters.get(RULES) else ""
         path = Path(chosen) if chosen else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES]
-        rules = in_users_language(load_rules(path))
+        rules = load_rules(path, tr)
         given = self._value_range(run)
         return rules if given is None else replace(rules, value_range=given)
 
@@ -194,7 +193,7 @@ class CheckRadiometry(RasterListAlgorithm):
         value = run.parameters.get(VALUE_RANGE)
         if value is None or set(re.findall(r"[^\s,()[\]]+", str(value).lower())) <= {"nan", "none"}:
             return None  # the form says "None,None" with nothing in it
-        low, high = run.number_range(VALUE_RANGE)
+        low, high = map(float, self.parameterAsRange(run.parameters, VALUE_RANGE, run.context))
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
             raise SettingsError(messages.VALUE_RANGE_BAD())
         return low, high

@@ -176,7 +176,7 @@ def jobs_on(
         for window in drawn:
             try:
                 if not image.is_north_up:
-                    raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
+                    raise WindowError(imagery_messages.NOT_NORTH_UP(name=image.ref.name))
                 extent = extent_on_image(window.extent, window.wkt, image)
                 pixels = None
                 if extent is not None and covered_share(extent, image.grid.extent):

@@ -117,10 +117,8 @@ def result_features(results: Sequence[GroupResult], grid: Grid) -> Iterator[QgsF
 def _segment(
     geometry: QgsGeometry, grid: Grid, transform: QgsCoordinateTransform
 ) -> tuple[Segment | None, Message | None]:
-    if geometry.isNull() or geometry.isEmpty():
-        return None, messages.BAR_LINE_EMPTY()
-    if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
-        return None, messages.BAR_LINE_MULTIPART()
+    if geometry.isEmpty() or geometry.constGet().partCount() > 1:
+        return None, messages.BAR_LINE_BENT()
     try:
         geometry.transform(transform)
     except QgsCsException:

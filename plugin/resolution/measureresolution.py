@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from ..imagery.rasters import Raster
     from .measure.bar_groups import TargetResolution
     from .measure.bars import MeasuredLine
-    from .measure.target import Target
 
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
 REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
@@ -167,12 +166,10 @@ class MeasureResolution(SeamInspectorAlgorithm):
             **run.save(common.REPORT, lambda path: _save_report(path, raster, resolution, target)),
         }
 
-    def _target(self, run: Run) -> Target:
-        from .measure.target import Target
-
+    def _target(self, run: Run) -> limits.Target:
         numbers = run.real(REFERENCE_GRD), run.real(STEP), run.real(CRITERION)
         words = run.word(FULL_AMPLITUDE), run.word(GRD_OF)
-        return Target(run.whole(BARS), run.whole(REFERENCE_GROUP), *numbers, run.flag(REVERSED), *words)
+        return limits.Target(run.whole(BARS), run.whole(REFERENCE_GROUP), *numbers, run.flag(REVERSED), *words)
 
     def _band(self, run: Run, raster: Raster) -> int | None:
         """The place of the band among those that are measured; None for all."""
@@ -182,14 +179,14 @@ class MeasureResolution(SeamInspectorAlgorithm):
         return None if number == 0 else OpenRaster(raster.ref).band_index(number)
 
 
-def _save_chart(path: Path, resolution: TargetResolution, target: Target) -> None:
+def _save_chart(path: Path, resolution: TargetResolution, target: limits.Target) -> None:
     from ..toolkit.charts.figure_files import save_figure
     from .charts import group_chart
 
     save_figure(group_chart(resolution.results, target.criterion), path)
 
 
-def _save_report(path: Path, raster: Raster, resolution: TargetResolution, target: Target) -> None:
+def _save_report(path: Path, raster: Raster, resolution: TargetResolution, target: limits.Target) -> None:
     from .report import save_resolution_report
 
     save_resolution_report(path, raster, resolution, target)

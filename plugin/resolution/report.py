@@ -19,6 +19,7 @@ from ..toolkit.translation import band_title, filled, percent, sentence, shown_n
 from .charts import VERDICT_COLOURS, lines_of, profile_rows, verdict_of, verdict_word
 from .distance_words import direction_title, distance_number, distance_text, target_distances
 from .measure.bar_groups import GroupResult, TargetResolution
+from .measure.profiles import Segment
 from .measure.target import BAR, COARSEST, DIRECTIONS, Target
 
 
@@ -149,15 +150,13 @@ _LARGEST_PIXEL = 0.08  # inches: no pixel is shown larger
 _LETTERS = 7.0  # points
 _POINT = 1 / 72  # inches
 
-Line = Sequence[GroupResult]
-
 
 def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
     """The image around all lines, each line in the colour of its verdict; None when no line lies on the image."""
-    lines = [line for line in lines_of(results) if line[0].measured.segment is not None]
+    lines = [(line, segment) for line in lines_of(results) if (segment := line[0].measured.segment) is not None]
     if not lines:
         return None
-    ends = np.array([line_ends(line) for line in lines])
+    ends = np.array([(segment.start, segment.end) for _, segment in lines])
     longest = float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).max())
     margin = 0.5 * longest + 6  # px around lines, in which their numbers have room
     first = np.floor(ends.min(axis=(0, 1)) - margin).clip(0).astype(int)
@@ -180,15 +179,15 @@ def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | N
     return figure
 
 
-def _draw_lines(axes: Axes, lines: Sequence[Line], scale: float) -> None:
+def _draw_lines(axes: Axes, lines: Sequence[tuple[Sequence[GroupResult], Segment]], scale: float) -> None:
     """Lines, and the numbers of their groups beyond their ends where they cover no other number."""
     taken: list[tuple[float, float, float]] = []
-    for line in lines:
-        (x1, y1), (x2, y2) = line_ends(line)
+    for line, segment in lines:
+        (x1, y1), (x2, y2) = segment.start, segment.end
         axes.plot([x1, x2], [y1, y2], color=VERDICT_COLOURS[verdict_of(line)], linewidth=1.6)
-    for line in lines:
+    for line, segment in lines:
         words = str(line[0].measured.line.group)
-        (x1, y1), (x2, y2) = line_ends(line)
+        (x1, y1), (x2, y2) = segment.start, segment.end
         length = max(math.hypot(x2 - x1, y2 - y1), 1e-9)
         half = (0.35 * len(words) + 0.35) * _LETTERS * _POINT / scale  # px: half the label's width
         away = 0.55 * _LETTERS * _POINT / scale + half * abs(x2 - x1) / length
@@ -203,10 +202,3 @@ def _draw_lines(axes: Axes, lines: Sequence[Line], scale: float) -> None:
                     bbox={"facecolor": "black", "alpha": 0.6, "pad": 0.8, "linewidth": 0},
                 )  # fmt: skip
                 break
-
-
-def line_ends(line: Line) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Both ends of a line as it was measured, column and row."""
-    segment = line[0].measured.segment
-    assert segment is not None
-    return segment.start, segment.end

@@ -13,7 +13,7 @@ import numpy as np
 from ..imagery.clips import MAX_MISSING_SHARE, Clip, read_clip
 from ..imagery.errors import RasterError
 from ..imagery.open_raster import OpenRaster
-from ..toolkit.picture_stretch import (
+from ..toolkit.pictures import (
     BRIGHTEST,
     DARKEST,
     GreyRanges,

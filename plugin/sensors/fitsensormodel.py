@@ -24,7 +24,6 @@ from ..toolkit.table_fields import column_features, column_fields, table_fields
 from ..toolkit.translation import filled, sentence, tr
 from .measure import limits, messages, registry
 from .sensor_parameters import (
-    IMAGE,
     IMAGE_RPC,
     ORBIT_HEIGHT,
     ROBUST,
@@ -77,26 +76,24 @@ class FitSensorModel(SensorAlgorithm):
         "does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
     )
 
-    NAMED_BY_FORMAT = (RPC_IMAGE,)
-
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         purpose = " ".join(map(_described, registry.KINDS.values()))
-        self.addChoice(MODEL, tr("Model"), tuple(registry.KINDS), purpose, registry.RATIONAL.name)
+        self.addDescribed(common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name), purpose)
         self.addDescribed(common.whole(ORDER, tr("Order"), 1, 1, 3), tr(
             "For polynomials and quotients. Higher orders need many points and oscillate between them."
         ))
         self.addDescribed(common.flag(DLT_XY, tr("Term a12 xy of the direct linear transformation")), tr(
             "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."
         ))
-        self.addChoice(BIAS, tr("Correction of the RPC"), _BIASES, tr(
+        self.addDescribed(common.choice(BIAS, tr("Correction of the RPC"), _BIASES), tr(
             "For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."
         ))
         self.addFittingParameters()
         self.addTerrainError()
-        self.addTable(OUTPUT, tr("Residuals"), tr(
+        self.addDescribed(common.result(OUTPUT, tr("Residuals"), common.POINT), tr(
             "The points with residuals, model minus measured: in pixels, and in metres at the point's height."
-        ), common.POINT)
+        ))
         for name, label, filters, purpose in (
             (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
             (RPC, tr("RPC"), tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
@@ -147,9 +144,9 @@ class FitSensorModel(SensorAlgorithm):
             (column, row), *_ = biases = files.rpc_bias.tolist()
             most = max(math.hypot(*bias) for bias in biases)
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
-        view = view_direction(done.fitted.model, points.wkt, files.domain)
+        view = view_direction(done.fitted.model, points.wkt, files.domain, run.real(TERRAIN_ERROR))
         if view is not None:
-            notices.append(view.notice(run.real(TERRAIN_ERROR)))
+            notices.append(view.notice)
         run.tell(*notices)
         run.progress(0.6)
         system = reference_system(points.wkt)
@@ -182,7 +179,7 @@ class FitSensorModel(SensorAlgorithm):
                 sides = {"x": errors.rmse_x, "y": errors.rmse_y, "max_x": errors.max_x, "max_y": errors.max_y}
                 run.inform(filled(words, name=title, count=errors.count, **sides))
         condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
-        return {**results, CONDITION: condition, **view_numbers(run, view), BIAS_COLUMN: column, BIAS_ROW: row}
+        return {**results, CONDITION: condition, **view_numbers(view), BIAS_COLUMN: column, BIAS_ROW: row}
 
     def _request(self, run: Run, image: OpenRaster | None, rpc: Rational | None) -> ModelRequest:
         kind = registry.KINDS[run.text(MODEL)]
@@ -227,7 +224,7 @@ class CompareSensorModels(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addPoints()
         self.addFittingParameters()
-        self.addTable(OUTPUT, tr("Models"), tr(
+        self.addDescribed(common.result(OUTPUT, tr("Models"), common.TABLE), tr(
             "One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."
         ))
         report = tr("The table with a chart and the recommendation.")
@@ -240,7 +237,7 @@ class CompareSensorModels(SensorAlgorithm):
         from .measure import adjustment
         from .measure.heights import is_flat
         from .measure.points import control_coverage, coverage_warnings
-        from .point_tables import MODELS, ModelRow
+        from .point_tables import model_columns
 
         image = self._image()
         rpc = self._rpc(run, IMAGE_RPC, image)
@@ -252,8 +249,9 @@ class CompareSensorModels(SensorAlgorithm):
             points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
             is_flat(points), run.progress, run.is_cancelled,
         )
-        sink, output = run.sink(OUTPUT, column_fields(MODELS))
-        run.write(sink, column_features(MODELS, [ModelRow(result, model) for model in result.rows]))
+        columns = model_columns(result)
+        sink, output = run.sink(OUTPUT, column_fields(columns))
+        run.write(sink, column_features(columns, result.rows))
         run.tell(result.reason)
 
         def write_report(path: Path) -> None:
@@ -271,7 +269,6 @@ class CompareSensorModels(SensorAlgorithm):
 class PlanPoints(SensorAlgorithm):
     """The accuracy to expect from a number of points, their spread and their quality."""
 
-    RASTER_LISTS = (IMAGE,)
     ID = "planpoints"
     NAME = QT_TR_NOOP("Plan control points")
     HELP = QT_TR_NOOP(
@@ -283,12 +280,12 @@ class PlanPoints(SensorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         purpose = tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.")
-        self.addChoice(MODEL, tr("Model"), _MODELS, purpose, registry.PUSHBROOM.name)
+        self.addDescribed(common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name), purpose)
         counts = QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30")
         self.addDescribed(counts, tr(
             "One row of the table for each, such as 6, 10, 20. Check points are not counted."
         ))
-        self.addChoice(SPREAD, tr("Spread"), limits.SPREADS, tr(
+        self.addDescribed(common.choice(SPREAD, tr("Spread"), limits.SPREADS), tr(
             "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
         ))
         for name, label, default, least, most, text in (
@@ -303,7 +300,7 @@ class PlanPoints(SensorAlgorithm):
         self.addReal(LOWEST, tr("Lowest terrain (metres)"), 0.0, text)
         self.addReal(HIGHEST, tr("Highest terrain (metres)"), 300.0, text)
         self.addImage()
-        self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
+        self.addDescribed(common.file(IMAGE_RPC, tr("RPC of the image"), optional=True), tr(
             "An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."
         ))
         for name, label, default, least, most, text in (
@@ -316,14 +313,11 @@ class PlanPoints(SensorAlgorithm):
             self.addReal(name, label, default, text, advanced=True, least=least, most=most)
         seed = common.whole(SEED, tr("Seed"), 1, 0, 2**31 - 1)
         self.addDescribed(seed, tr("The same number gives the same draws."), advanced=True)
-        self.addTable(OUTPUT, tr("Expected accuracy"), tr(
+        self.addDescribed(common.result(OUTPUT, tr("Expected accuracy"), common.TABLE), tr(
             "One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % "
             "and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well "
             "as the control points."
         ))
-
-    def prepare(self, run: Run) -> None:
-        self._image_ref = run.raster(IMAGE)
 
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure.point_planning import PointPlan, expected_accuracies

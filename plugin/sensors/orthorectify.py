@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsProcessingParameterCrs,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFolderDestination,
     QgsProcessingParameterRasterDestination,
@@ -51,25 +52,27 @@ PHOTOS, PHOTO_COUNT, LEFT_OUT_COUNT = "PHOTOS", "PHOTO_COUNT", "LEFT_OUT_COUNT"
 class OrthoAlgorithm(SensorAlgorithm):
     """An algorithm that makes orthoimages: the parameters of photos' orientations, of terrain and of what is made."""
 
-    RASTER_LISTS = (DEM,)
-
     def addOrientations(self) -> None:
-        self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
+        exterior = common.file(EXTERIOR, tr("Exterior orientation"), optional=True)
+        exterior.setFileFilter(tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
+        self.addDescribed(exterior, tr(
             "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
             "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
             "PATB, ContextCapture or orthority."
-        ), filters=tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
-        self.addFile(INTERIOR, tr("Interior orientation"), tr(
+        ))
+        self.addDescribed(common.file(INTERIOR, tr("Interior orientation"), optional=True), tr(
             "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. "
             "Empty: in the file of the exterior orientation."
         ))
-        self.addSystem(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), tr(
+        system = tr("Reference system of the exterior orientation")
+        self.addDescribed(QgsProcessingParameterCrs(EXTERIOR_CRS, system, optional=True), tr(
             "Projected, in metres. Empty: what its file says, else the image's own."
         ), advanced=True)
-        self.addChoice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS, tr(
+        heights, angles = tr("Heights of the exterior orientation"), tr("Angles of the exterior orientation")
+        self.addDescribed(common.choice(EXTERIOR_HEIGHTS, heights, limits.EXTERIOR_DATUMS), tr(
             "as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."
         ), advanced=True)
-        self.addChoice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS, tr(
+        self.addDescribed(common.choice(EXTERIOR_ANGLES, angles, limits.ANGLE_UNITS), tr(
             "For a table. auto: what its header says, else degrees."
         ), advanced=True)
 
@@ -82,14 +85,13 @@ class OrthoAlgorithm(SensorAlgorithm):
 
     def addGrid(self, system: str) -> None:
         """The pixels and the file of orthoimages; ``system``: the help of their reference system."""
-        self.addSystem(CRS, tr("Reference system"), system)
+        self.addDescribed(QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), system)
         self.addReal(PIXEL_SIZE, tr("Pixel size"), None, tr(
             "In units of the reference system. Empty: that of the image on the ground."
         ), least=0)
-        self.addChoice(
-            RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, tr("How pixels are interpolated."), default="cubic"
-        )
-        self.addChoice(FORMAT, tr("Format"), limits.ORTHO_FORMATS, tr(
+        resampling = common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic")
+        self.addDescribed(resampling, tr("How pixels are interpolated."))
+        self.addDescribed(common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS), tr(
             "GeoTIFF, or cloud optimised GeoTIFF with overviews."
         ))
 
@@ -136,8 +138,9 @@ class Orthorectify(OrthoAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addImage(optional=False)
-        self.addFile(MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it."))
-        self.addFile(RPC, tr("RPC file"), tr(
+        model_file = common.file(MODEL_FILE, tr("Model file"), optional=True)
+        self.addDescribed(model_file, tr("As Fit sensor model writes it."))
+        self.addDescribed(common.file(RPC, tr("RPC file"), optional=True), tr(
             "_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."
         ))
         self.addOrientations()
@@ -159,8 +162,6 @@ class Orthorectify(OrthoAlgorithm):
         from .measure.rpc import open_image
 
         open_image(run.required_raster(IMAGE))
-        if (optional_real(run, HEIGHT) is None) != bool(run.parameters.get(DEM)):
-            raise SettingsError(messages.TERRAIN_OR_HEIGHT())
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.layers import box_extent, system_wkt
@@ -173,7 +174,8 @@ class Orthorectify(OrthoAlgorithm):
         sight = self._model(run, image)
         request = self._request(run, image.ref, sight, Path(run.layer_path(OUTPUT)))
         if run.parameters.get(EXTENT):
-            target = run.crs(CRS) if request.target_wkt else run.extent_crs(EXTENT)
+            named = self.parameterAsExtentCrs(run.parameters, EXTENT, run.context)
+            target = run.crs(CRS) if request.target_wkt else named
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
             extent = box_extent(run.extent(EXTENT, target))
@@ -181,12 +183,12 @@ class Orthorectify(OrthoAlgorithm):
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
         run.inform(_described(made))
-        view = view_direction(*sight[:3])
+        view = view_direction(*sight[:3], run.real(TERRAIN_ERROR))
         if view is not None:
-            run.tell(view.notice(run.real(TERRAIN_ERROR)))
+            run.tell(view.notice)
         return {
             OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered,
-            **view_numbers(run, view),
+            **view_numbers(view),
         }  # fmt: skip
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
@@ -281,7 +283,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 left_out.append(messages.PHOTO_LEFT_OUT(name=photo.path.name, why=error.message))
                 run.tell(left_out[-1])
                 continue
-            wkt, size, count = made.wkt, made.pixel_size, count + 1
+            wkt, size, count = made.wkt, made.grid.pixel_width, count + 1
             run.tell_once(made.notices)
             run.inform(f"{photo.name}: {_described(made)}")
         if left_out and not count and not run.is_cancelled():
@@ -292,5 +294,5 @@ class OrthorectifyPhotos(OrthoAlgorithm):
 def _described(made: Ortho) -> str:
     return filled(
         tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
-        columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,
+        columns=made.grid.columns, rows=made.grid.rows, size=made.grid.pixel_width, rms=made.rms_px, most=made.max_px,
     )  # fmt: skip

@@ -5,7 +5,6 @@ import math
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 from osgeo import osr
@@ -94,34 +93,11 @@ def _numbers(row: Attributes) -> list[float]:
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 
-class ModelRow(NamedTuple):
-    comparison: Comparison
-    model: JudgedModel
-
-
 RESIDUALS = (
     ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"), ("residual_column", "real"),
     ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"), ("blunder", "integer"),
 )  # fmt: skip
 """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
-MODELS: tuple[Column[ModelRow], ...] = (
-    Column("model", "text", lambda row: row.model.request.kind.name),
-    Column("order", "integer", lambda row: _order(row.model)),
-    Column("variant", "text", lambda row: None if _order(row.model) else row.model.request.variant.name or None),
-    Column("mean_x", "real", lambda row: row.model.errors and row.model.errors.rmse_x),
-    Column("mean_y", "real", lambda row: row.model.errors and row.model.errors.rmse_y),
-    Column("max_x", "real", lambda row: row.model.errors and row.model.errors.max_x),
-    Column("max_y", "real", lambda row: row.model.errors and row.model.errors.max_y),
-    Column("control_count", "integer", lambda row: row.model.control_count),
-    Column("check_count", "integer", lambda row: row.model.errors.count if row.model.errors else 0),
-    Column("method", "text", lambda row: row.comparison.method),
-    Column("control_mean_x", "real", lambda row: row.model.control and row.model.control.rmse_x),
-    Column("control_mean_y", "real", lambda row: row.model.control and row.model.control.rmse_y),
-    Column("condition", "real", lambda row: _finite(row.model.condition)),
-    Column("recommended", "integer", lambda row: int(row.model is row.comparison.recommended)),
-    Column("reason", "text", lambda row: row.model.reason),
-)
-"""OUTPUT of ``comparesensormodels``: one row per model."""
 PLANS: tuple[Column[ExpectedAccuracy], ...] = (
     Column("model", "text", lambda plan: plan.model),
     Column("control_count", "integer", lambda plan: plan.count),
@@ -133,6 +109,27 @@ PLANS: tuple[Column[ExpectedAccuracy], ...] = (
     Column("reason", "text", lambda plan: plan.reason),
 )
 """OUTPUT of ``planpoints``: one row per number of points."""
+
+
+def model_columns(result: Comparison) -> tuple[Column[JudgedModel], ...]:
+    """OUTPUT of ``comparesensormodels``: one row per model."""
+    return (
+        Column("model", "text", lambda row: row.request.kind.name),
+        Column("order", "integer", _order),
+        Column("variant", "text", lambda row: None if _order(row) else row.request.variant.name or None),
+        Column("mean_x", "real", lambda row: row.errors and row.errors.rmse_x),
+        Column("mean_y", "real", lambda row: row.errors and row.errors.rmse_y),
+        Column("max_x", "real", lambda row: row.errors and row.errors.max_x),
+        Column("max_y", "real", lambda row: row.errors and row.errors.max_y),
+        Column("control_count", "integer", lambda row: row.control_count),
+        Column("check_count", "integer", lambda row: row.errors.count if row.errors else 0),
+        Column("method", "text", lambda row: result.method),
+        Column("control_mean_x", "real", lambda row: row.control and row.control.rmse_x),
+        Column("control_mean_y", "real", lambda row: row.control and row.control.rmse_y),
+        Column("condition", "real", lambda row: _finite(row.condition)),
+        Column("recommended", "integer", lambda row: int(row is result.recommended)),
+        Column("reason", "text", lambda row: row.reason),
+    )
 
 
 def _order(model: JudgedModel) -> int | None:

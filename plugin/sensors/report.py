@@ -12,8 +12,8 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from ..imagery.errors import WARNING, Message
+from ..toolkit.charts.chart_style import round_below
 from ..toolkit.charts.figure_files import new_figure, svg_text
-from ..toolkit.charts.round_ticks import round_below
 from ..toolkit.pages.templates import HowMeasured, save_page, sentences_once, system_name
 from ..toolkit.translation import filled, formatted, sentence, tr
 from .measure.adjustment import LEAVE_ONE_OUT, Accuracy, Adjustment, Comparison

@@ -4,7 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessing, QgsProcessingParameterCrs, QgsProcessingParameterFile, QgsVectorLayer
+from qgis.core import QgsProcessingParameterCrs, QgsVectorLayer
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
@@ -40,11 +40,6 @@ IMAGE_SUFFIXES = (".tif", ".tiff", ".vrt", ".ntf", ".nitf", ".jp2", ".img")
 
 class SensorAlgorithm(SeamInspectorAlgorithm):
     GROUP = SATELLITE_IMAGES
-    RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
-
-    def addFile(self, name: str, label: str, purpose: str, advanced: bool = False, filters: str = "") -> None:
-        file = QgsProcessingParameterFile(name, label, optional=True, fileFilter=filters)
-        self.addDescribed(file, purpose, advanced)
 
     def addReal(
         self, name: str, label: str, default: float | None, purpose: str, advanced: bool = False, **limits: float
@@ -52,17 +47,6 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         """A number between ``least`` and ``most``, which may be left out where it has no default."""
         number = common.real(name, label, default, optional=default is None, decimals=None, **limits)
         self.addDescribed(number, purpose, advanced)
-
-    def addChoice(self, name: str, label: str, words: tuple[str, ...], purpose: str, default: str = "",
-                  advanced: bool = False) -> None:  # fmt: skip
-        """A choice among words, the first of them by default."""
-        self.addDescribed(common.choice(name, label, words, default), purpose, advanced)
-
-    def addSystem(self, name: str, label: str, purpose: str, advanced: bool = False) -> None:
-        self.addDescribed(QgsProcessingParameterCrs(name, label, optional=True), purpose, advanced)
-
-    def addTable(self, name: str, label: str, purpose: str, kind: QgsProcessing.SourceType = common.TABLE) -> None:
-        self.addDescribed(common.result(name, label, kind), purpose)
 
     def addPoints(self) -> None:
         self.addDescribed(common.features(GCPS, tr("Ground control points"), common.POINT, optional=True), tr(
@@ -81,12 +65,12 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         """A terrain model, what heights refer to (names and labels), and the grid for some of them."""
         self.addDescribed(common.raster(DEM, tr("Terrain model"), optional=True), purpose)
         for name, label in heights:
-            self.addChoice(name, label, limits.HEIGHT_DATUMS, tr(
+            self.addDescribed(common.choice(name, label, limits.HEIGHT_DATUMS), tr(
                 "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a "
                 "warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ "
                 "has the grid, geoid by a grid file of your own. SRTM tiles are egm96."
             ))
-        self.addFile(GEOID, tr("Grid of the geoid"), tr(
+        self.addDescribed(common.file(GEOID, tr("Grid of the geoid"), optional=True), tr(
             "For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster."
         ), advanced=True)
 
@@ -99,7 +83,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def addFittingParameters(self) -> None:
         """The parameters of a fit beside its points and model."""
         self.addImage()
-        self.addFile(IMAGE_RPC, tr("RPC of the image"), tr(
+        self.addDescribed(common.file(IMAGE_RPC, tr("RPC of the image"), optional=True), tr(
             "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom."
         ))
         heights = (HEIGHTS, tr("Heights of the points")), (DEM_HEIGHTS, tr("Heights of the terrain model"))
@@ -111,7 +95,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(common.flag(ROBUST, tr("Look for blunders")), tr(
             "Flags points that contradict the others and fits the model without them."
         ))
-        self.addSystem(GCPS_CRS, tr("Reference system of a .points file"), tr(
+        system = QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True)
+        self.addDescribed(system, tr(
             "For files from before QGIS 3.26, which do not name the reference system of their map coordinates."
         ), advanced=True)
         self.addReal(ORBIT_HEIGHT, tr("Height of the orbit (km)"), None, tr(
@@ -219,9 +204,9 @@ def optional_real(run: Run, name: str) -> float | None:
     return None if run.parameters.get(name) in (None, "") else run.real(name)
 
 
-def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
+def view_numbers(view: ViewDirection | None) -> dict[str, float | None]:
     """The numbers of a view; None for a plane model."""
-    numbers = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
+    numbers = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift)
     return dict(zip((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT), numbers))
 
 
@@ -229,12 +214,11 @@ def height_datums(run: Run, *names: str) -> list[Datum]:
     """The datums of heights by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
     from ..imagery.rasters import RasterRef
     from .measure.heights import GEOID as BY_GRID
-    from .measure.heights import Geoid
 
     words, path = [run.text(name) for name in names], run.path(GEOID)
     if (BY_GRID in words) != bool(path):
         raise SettingsError(messages.GEOID_OR_NONE())
-    return [Geoid(RasterRef(path)) if word == BY_GRID else word for word in words]
+    return [RasterRef(path) if word == BY_GRID else word for word in words]
 
 
 def image_box(image: OpenRaster | None, points: Points) -> ImageBox:

@@ -85,7 +85,7 @@ def _cluster(crew: Client | str, is_cancelled: Callable[[], bool]) -> Iterator[t
         try:
             yield executor, AHEAD * threads
         except _LOST:
-            raise WorkersLostError(messages.WORKERS_LOST(address=address)) from None
+            raise WorkersLostError(messages.SCHEDULER_WITHOUT_WORKERS(address=address)) from None
 
 
 def _client_at(address: str, is_cancelled: Callable[[], bool]) -> Client:

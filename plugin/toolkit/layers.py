@@ -161,12 +161,9 @@ def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> Q
     geometry = QgsGeometry(feature.geometry())
     if geometry.isEmpty() or not has_numbers(geometry):
         raise WindowError(messages.WINDOW_EMPTY())
-    if geometry.type() != QgsWkbTypes.GeometryType.PolygonGeometry:
-        raise WindowError(messages.WINDOW_NOT_POLYGON())
-    if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
-        raise WindowError(messages.WINDOW_MULTIPART())
-    if not geometry.isGeosValid():
-        raise WindowError(messages.WINDOW_SELF_CROSSING())
+    is_polygon = geometry.type() == QgsWkbTypes.GeometryType.PolygonGeometry and geometry.constGet().partCount() == 1
+    if not is_polygon or not geometry.isGeosValid():
+        raise WindowError(messages.WINDOW_NO_POLYGON())
     return transformed(geometry, transform)
 
 

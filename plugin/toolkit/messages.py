@@ -14,9 +14,7 @@ SYSTEM_NOT_WRITTEN = Message(
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 # the outline of a window
 WINDOW_EMPTY = Message("The window has no outline; draw it again.")
-WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangle.")
-WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
-WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it again as a rectangle.")
+WINDOW_NO_POLYGON = Message("The window is not a single polygon whose outline crosses nowhere; draw it as a rectangle.")
 WINDOWS_RENUMBERED = Message(
     "Windows without a number of their own: {count}; they were given the next free ones.", WARNING)
 WINDOWS_RESHAPED = Message(
@@ -47,9 +45,7 @@ EXECUTOR_LOST = Message(
     "The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are "
     "spawned needs the line if __name__ == '__main__': above its work.")
 SCHEDULER_WITHOUT_WORKERS = Message(
-    "The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.")
-WORKERS_LOST = Message(
-    "The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.")
+    "The Dask scheduler at {address} is gone, or has no workers that answer; start some, or give no scheduler.")
 WORKERS_WITHOUT_PACKAGES = Message(
     "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL's "
     "python3-gdal), or give no scheduler.")

@@ -48,7 +48,7 @@ WITHOUT_FILES = {"number", "range", "enum", "string", "boolean", "crs", "extent"
 SINK, RASTER = QgsProcessingParameterFeatureSink, QgsProcessingParameterRasterDestination
 ENDINGS = {
     "CHART": "png", "PARAMETERS": "json", "MODEL_FILE": "json", "RPC": "txt", "WORLD_FILE": "wld", "QUALITY": "xml",
-    "VRT": "vrt", "RPC_IMAGE": "tif",
+    "VRT": "vrt", "RPC_IMAGE": "tif", "POINTS": "points", "MEASURES": "xml",
 }  # fmt: skip
 WITH_FILES = (
     "acceptmosaic", "checkdelivery", "checknoise", "checkradiometry", "calibratethreshold", "measureresolution",

@@ -8,7 +8,7 @@ from functools import reduce
 from pathlib import Path
 
 from ...imagery.documents import RuleObject, read_rules
-from ...imagery.errors import Message, SettingsError, Stated
+from ...imagery.errors import QT_TR_NOOP, Message, SettingsError, Stated
 from ...imagery.limits import PATH_TYPES, check_type
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from . import messages
@@ -24,7 +24,7 @@ STANDARD_SEED = 2859  # the same delivery gives the same sample
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"
 MEASURED_SHARE, SAMPLING = "measured_share", "sampling"
 CHECKS = (KEPT, FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, SAMPLING)
-OWN_LIMIT = "Seam Inspector's own"
+OWN_LIMIT = QT_TR_NOOP("Seam Inspector's own")
 
 KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LONGEST_FAILURE: "most"}
 _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
@@ -147,10 +147,10 @@ def limit_rules(
 def load_acceptance_rules(path: Path | str) -> AcceptanceRules:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
     check_type("path", path, *PATH_TYPES)
-    return read_rules(Path(path), _acceptance_rules)
+    return read_rules(Path(path), rules_of_objects)
 
 
-def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:
+def rules_of_objects(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:
     whole.allow(("name", "rules"))
     by_check: dict[str, RuleObject] = {}
     for rule in objects:
@@ -165,10 +165,10 @@ def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> Accep
     limits = {check: _limit(rule, check) for check, rule in by_check.items() if check != SAMPLING}
     rules = [AcceptanceRule(check, limits[check], by_check[check].source()) for check in limits if check != KEPT]
     if MEASURED_SHARE not in limits:
-        rules.append(AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, OWN_LIMIT))
+        rules.append(AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, whole.worded(OWN_LIMIT)))
     sampling = _sampling(by_check[SAMPLING]) if SAMPLING in by_check else None
-    name = str(whole.content.get("name") or whole.file)
-    return AcceptanceRules(name, limits[KEPT], by_check[KEPT].source(), tuple(rules), sampling, is_of_file=True)
+    kept = limits[KEPT], by_check[KEPT].source()
+    return AcceptanceRules(whole.name(), *kept, tuple(rules), sampling, is_of_file=True)
 
 
 def _limit(rule: RuleObject, check: str) -> float:

@@ -14,8 +14,8 @@ from ...imagery.rasters import Raster
 from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure, svg_text
-from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page
+from ...toolkit.pictures import encoded
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Unmeasured

@@ -27,7 +27,7 @@ from ...imagery.grids import middle_of
 from ...imagery.records import Column
 from ...imagery.reference_systems import metres_per_unit
 from ...imagery.seam_totals import PieceState
-from ...toolkit.charts.round_ticks import round_below
+from ...toolkit.charts.chart_style import round_below
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import box_extent
 from ...toolkit.painting import painting

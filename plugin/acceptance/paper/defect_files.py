@@ -26,9 +26,8 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from ...imagery.records import Column
 from ...imagery.reference_systems import extent_on, transform_points
-from ...toolkit.pages.picture_files import encoded
 from ...toolkit.painting import painting
-from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
+from ...toolkit.pictures import GreyRanges, Stretch, brightness, encoded, largest_of, ranges_with
 from ...toolkit.table_fields import column_features
 from ..measure import messages
 from ..measure.decision import Decision, Defect

@@ -77,7 +77,7 @@ def plan_drawn(
     """
     requests: list[NoiseRequest] = []
     notices = [
-        imagery_messages.WINDOW_IMAGE_ROTATED(name=member.image.ref.name).as_warning()
+        imagery_messages.NOT_NORTH_UP(name=member.image.ref.name).as_warning()
         for member in images
         if not member.image.is_north_up
     ]

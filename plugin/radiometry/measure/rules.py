@@ -14,7 +14,7 @@ measurable. ``values`` (clipped_low and clipped_high only, 5 when left out) is h
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -89,9 +89,9 @@ def ready_rule_files() -> dict[str, Path]:
     return {DEFAULT_RULES: ready[DEFAULT_RULES], **ready}
 
 
-def load_rules(path: Path) -> RuleSet:
+def load_rules(path: Path, worded: Callable[[str], str] = str) -> RuleSet:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
-    return read_rules(path, _rule_set)
+    return read_rules(path, _rule_set, worded)
 
 
 def _rule_set(whole: RuleObject, objects: Sequence[RuleObject]) -> RuleSet:
@@ -105,7 +105,7 @@ def _rule_set(whole: RuleObject, objects: Sequence[RuleObject]) -> RuleSet:
                     messages.RULES_CHECK_TWICE(place=item.place, name=item.file, check=rule.check, band=rule.band)
                 )
         rules.append(rule)
-    return RuleSet(str(whole.content.get("name") or whole.file), tuple(rules), _range(whole))
+    return RuleSet(whole.name(), tuple(rules), _range(whole))
 
 
 def _named(*rules: Rule) -> set[str]:

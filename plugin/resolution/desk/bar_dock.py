@@ -1,7 +1,7 @@
 """The dock of bar groups: draw a line across the bars of each group and watch its profile."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Optional
@@ -16,7 +16,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgisInterface
-from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QBoxLayout,
@@ -34,10 +34,8 @@ from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.open_raster import describe_north_up
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
-from ...toolkit.desk.layer_box import LayerBox, vectors_without
-from ...toolkit.desk.message_bar import bar_level
-from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.desk.widgets import ClippedLabel
+from ...toolkit.desk.tool_dock import ToolDock, bar_level
+from ...toolkit.desk.widgets import ClippedLabel, LayerBox, vectors_without
 from ...toolkit.layers import layer_ref, mosaic_crs, transformed_point
 from ...toolkit.reference_systems import transformation
 from ...toolkit.translation import sentence, tr
@@ -57,11 +55,11 @@ if TYPE_CHECKING:
     from ..measure.bar_groups import GroupResult
 
 
-class TargetSettings(QObject):
-    changed = pyqtSignal()  # another target is set
+class TargetSettings:
+    """The fields of a target."""
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, changed: Callable[[], None]) -> None:
+        """``changed``: called when another target is set."""
         self.bars = whole_box(limits.DEFAULT_BARS, limits.MIN_BARS)
         self.reference_group = whole_box(limits.DEFAULT_REFERENCE_GROUP)
         self.reference_grd = QDoubleSpinBox()
@@ -82,9 +80,9 @@ class TargetSettings(QObject):
             "the coarsest group, which is stricter."
         ))
         for number in (self.bars, self.reference_group, self.reference_grd):
-            number.valueChanged.connect(lambda *_: self.changed.emit())
+            number.valueChanged.connect(lambda *_: changed())
         for choice in (self.grd_of, self.full_amplitude):
-            choice.currentIndexChanged.connect(lambda *_: self.changed.emit())
+            choice.currentIndexChanged.connect(lambda *_: changed())
 
     def target(self) -> Target:
         return Target(
@@ -182,7 +180,7 @@ class BarDock(ToolDock):
         self.image = LayerBox(_Filter.RasterLayer, tr("no image"))
         self.image.only_files()
         self.lines = LayerBox(_Filter.LineLayer, tr("new layer"))
-        self.settings = TargetSettings(self)
+        self.settings = TargetSettings(self._target_changed)
         self.group = whole_box(1)
         self.direction = choice_box(DIRECTIONS, tr("along"), tr("across"))
         self.profile = BarProfile()
@@ -190,7 +188,6 @@ class BarDock(ToolDock):
         self._lay_out()
         self.image.layerChanged.connect(self._image_changed)
         self.direction.currentIndexChanged.connect(self._take_next)
-        self.settings.changed.connect(self._target_changed)
         tool.moved.connect(self._line_moved)
         tool.drawn.connect(self._line_drawn)
         tool.cancelled.connect(self._line_cancelled)

@@ -8,8 +8,7 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygon
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ...toolkit.charts.chart_painter import ChartPainter
-from ...toolkit.charts.chart_style import BAND_COLOURS, ChartStyle, band_colour
-from ...toolkit.charts.round_ticks import even_ticks
+from ...toolkit.charts.chart_style import BAND_COLOURS, ChartStyle, band_colour, even_ticks
 from ...toolkit.desk.theme import chart_style
 from ...toolkit.painting import painting
 from ...toolkit.translation import band_title, formatted, tr
@@ -111,11 +110,6 @@ class BarProfile(QWidget):
 
     def sizeHint(self) -> QSize:
         return 2 * self.minimumSize()
-
-    @property
-    def bands_shown(self) -> int:
-        """How many profiles are seen."""
-        return len(self._readings)
 
     def show_results(self, results: Sequence[GroupResult], criterion: float) -> None:
         """Paint what a line showed; nothing where nothing was measured."""

@@ -28,11 +28,6 @@ class BarTool(DrawingTool):
         self._start: QgsPointXY | None = None
         self._pressed_at: QPoint | None = None
 
-    @property
-    def is_drawing(self) -> bool:
-        """Whether a first end is set."""
-        return self._start is not None
-
     def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._start is None:
             self._start, self._pressed_at = event.mapPoint(), event.pixelPoint()
@@ -54,7 +49,7 @@ class BarTool(DrawingTool):
                 self._pressed_at = None  # the first of two clicks
                 return
             start = self._start
-            self._forget()
+            self._clear()
             if start != event.mapPoint():
                 self.drawn.emit(start, event.mapPoint())
 
@@ -64,16 +59,11 @@ class BarTool(DrawingTool):
             self._give_up()
 
     def _give_up(self) -> None:
-        self._forget()
+        self._clear()
         self.cancelled.emit()
 
-    def _forget(self) -> None:
-        self._start = self._pressed_at = None
-        if self._band is not None and not sip.isdeleted(self.canvas()):
-            self._band.reset(QgsWkbTypes.GeometryType.LineGeometry)
-
     def _clear(self) -> None:
-        self._forget()
+        self._start = self._pressed_at = None
         if self._band is not None and not sip.isdeleted(self.canvas()):
             self.canvas().scene().removeItem(self._band)
         self._band = None

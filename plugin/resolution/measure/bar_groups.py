@@ -194,8 +194,8 @@ def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -
         aliasing = None if reason is not None else _why_aliased(reading, cycle)
         why = reason or aliasing
         resolved, spurious = why is None, aliasing is not None
-        if resolved and band in measured.saturated:
-            why = messages.BARS_SATURATED(value=measured.saturated[band])
+        if resolved and (value := measured.saturated.get(band)) is not None:
+            why = messages.BARS_SATURATED(value=value)
         share, reach = reading.share or 0.0, SURE * (reading.share_error or 0.0)
         may_pass = (
             share + reach >= target.criterion and _why_unclear(reading, target) is None

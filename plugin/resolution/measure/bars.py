@@ -105,33 +105,28 @@ def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarRea
     cycle = float(places[-1] - places[0]) / (len(places) - 1)
     between = [np.flatnonzero((x > first) & (x < last)) for first, last in zip(places, places[1:])]
     lows = [x[inside[np.argmin(values[inside])]] for inside in between]
-    tops = [_vertex(x, values, float(place), cycle) for place in places]
-    bottoms = [_scaled(_vertex(x, -values, float(place), cycle), -1) for place in lows]
+    tops = tuple(_vertex(x, profile.values, float(place), cycle, sign) for place in places)
+    bottoms = tuple(_vertex(x, profile.values, float(place), cycle, -sign) for place in lows)
     beside = [_ground(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
     grounds = [value for value in beside if value is not None]
     inner = tops[1:-1] or tops
-    height, depth = mean_value(inner), mean_value(bottoms)
+    height, depth = sign * mean_value(inner), sign * mean_value(bottoms)
     single = profile.error_over(max(2 * cycle * _VERTEX_SHARE, 0.5))
     for part in (inner, bottoms):
         if len(part) > 1:
             single = max(single, float(np.std([extreme.value for extreme in part], ddof=1)))
     error = single * math.sqrt(1 / len(inner) + 1 / len(bottoms))
-    highest, lowest = sign * max(top.value for top in tops), sign * min(bottom.value for bottom in bottoms)
-    total = highest + lowest
+    highest, lowest = max(sign * top.value for top in tops), min(sign * bottom.value for bottom in bottoms)
+    total = sign * (highest + lowest)
     modulation = abs(highest - lowest) / total if total > 0 else None
-    signed = [tuple(_scaled(extreme, sign) for extreme in part) for part in (tops, bottoms)]
     plain = tuple(sign * value for value in grounds)
-    full = height - min([*(bottom.value for bottom in bottoms), *grounds])
-    return BarReading(profile, bright, signed[0], signed[1], plain, full, error, height - depth, error, modulation)
+    full = height - min([lowest, *grounds])
+    return BarReading(profile, bright, tops, bottoms, plain, full, error, height - depth, error, modulation)
 
 
 def mean_value(extremes: Sequence[Extreme]) -> float:
     """The mean brightness of bars or gaps, DN."""
     return float(np.mean([extreme.value for extreme in extremes]))
-
-
-def _scaled(extreme: Extreme, factor: float) -> Extreme:
-    return Extreme(extreme.position, factor * extreme.value)
 
 
 def _between(profile: Profile, low: float, high: float) -> np.ndarray:
@@ -169,15 +164,15 @@ def _peaks(profile: Profile, sign: float, extent: float) -> np.ndarray:
     return np.asarray(peaks[(places >= 0) & (places <= profile.length)])
 
 
-def _vertex(x: np.ndarray, values: np.ndarray, place: float, cycle: float) -> Extreme:
-    """The top of a bar: of a parabola, or the mean where the bar is flat or its edges ring."""
+def _vertex(x: np.ndarray, values: np.ndarray, place: float, cycle: float, sign: float) -> Extreme:
+    """The top of a bar, or with the ``sign`` -1 its bottom: of a parabola, or the mean where it is flat or rings."""
     for _ in range(2):  # the second time around the place that the first one found
         near = np.abs(x - place) <= max(cycle * _VERTEX_SHARE, 0.25)
         dx = x[near] - place
         square, slope, level = np.polyfit(dx, values[near], 2)
         half = float(np.abs(dx).max())
-        offset = -slope / (2 * square) if square < 0 else 0.0
-        if square >= 0 or abs(offset) > half:
+        offset = -slope / (2 * square) if square else 0.0
+        if sign * square >= 0 or abs(offset) > half:
             return Extreme(place, float(values[near].mean()))
         place += offset
     return Extreme(place, float(level - slope**2 / (4 * square)))
@@ -216,8 +211,8 @@ class MeasuredLine:
     line: BarLine
     segment: Segment | None  # the line turned to be perpendicular to the bars; None when it could not be measured
     readings: dict[str, BarReading] = field(default_factory=dict)  # readings by band
-    saturated: dict[str, float] = field(default_factory=dict)  # the DN that bars are clipped at, by band
-    shifts: dict[str, float] = field(default_factory=dict)  # px along the line against the bars of green, by band
+    saturated: dict[str, float | None] = field(default_factory=dict)  # the DN that bars are clipped at, by band
+    shifts: dict[str, float | None] = field(default_factory=dict)  # px along the line from the bars of green, by band
     reason: Message | None = None  # why it could not be measured
 
 
@@ -242,12 +237,9 @@ def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: i
 
     width = _width_within(width, [read(index, width) for index in places], bars)
     readings = {names[index]: read(index, width) for index in places}
-    clipped = {names[index]: _saturation(patch, index, segment, width, readings[names[index]]) for index in places}
+    saturated = {names[index]: _saturation(patch, index, segment, width, readings[names[index]]) for index in places}
     green = readings.get(GREEN) or (read(names.index(GREEN), width) if GREEN in names else None)
-    moved = {name: _shift(reading, green) for name, reading in readings.items()}
-    saturated, shifts = (
-        {name: value for name, value in values.items() if value is not None} for values in (clipped, moved)
-    )
+    shifts = {name: _shift(reading, green) for name, reading in readings.items()}
     return MeasuredLine(line, segment, readings, saturated, shifts)
 
 

@@ -1,7 +1,6 @@
 """The image of a single-chip camera: of each pixel the colour of its filter, the others interpolated."""
 from __future__ import annotations
 
-from collections.abc import Iterator
 from importlib.util import find_spec
 from typing import Callable
 
@@ -21,8 +20,6 @@ BILINEAR, _, EDGE_AWARE = limits.DEMOSAICS
 
 _REACH_PX = 8  # how far a pixel's neighbours reach, generously: strips overlap by this, an even number
 _STRIP_PIXELS = 4_000_000
-
-_CODES = {"RGGB": "BG", "BGGR": "RG", "GRBG": "GB", "GBRG": "GR"}  # OpenCV names the second row's second pixel first
 
 
 def check_demosaic(demosaic: str) -> None:
@@ -45,34 +42,19 @@ def simulate_file(
     names = raster.band_names
     if not raster.has_luminance and len(names) > 1:
         raise RasterError(messages.BANDS_NOT_COLOURS(name=raster.ref.name, count=len(names)))
-    source = OpenRaster(raster.ref)
+    source, columns, rows = OpenRaster(raster.ref), raster.columns, raster.rows
+    height = max(2, _STRIP_PIXELS // columns // 2 * 2)
     kind = source.read(PixelWindow(0, 0, 1, 1)).bands.dtype
     with raster_writer(path, raster, WrittenBands(3, kind, True, source.nodata)) as writer:
-        for row, seen in _strips(source, pattern, demosaic):
-            writer.write(row, seen)
-            if not progress((row + seen.shape[1]) / raster.rows):
+        for row in range(0, rows, height):
+            top, bottom = max(0, row - _REACH_PX), min(rows, row + height + _REACH_PX)
+            block = source.read(PixelWindow(0, top, columns, bottom - top))
+            colours = block.bands[:3] if len(names) >= 3 else np.repeat(block.bands[:1], 3, axis=0)
+            seen = np.where(block.valid, simulated(colours, pattern, demosaic), colours)
+            last = min(row + height, rows)
+            writer.write(row, seen[:, row - top : last - top])
+            if not progress(last / rows):
                 raise CancelledError(imagery_messages.CANCELLED())
-
-
-def _strips(source: OpenRaster, pattern: str, demosaic: str) -> Iterator[tuple[int, np.ndarray]]:
-    """First row and (3, rows, columns) of pieces from top to bottom."""
-    columns, rows = source.columns, source.rows
-    height = max(2, _STRIP_PIXELS // columns // 2 * 2)
-    for row in range(0, rows, height):
-        top, bottom = max(0, row - _REACH_PX), min(rows, row + height + _REACH_PX)
-        block = source.read(PixelWindow(0, top, columns, bottom - top))
-        bands = block.bands
-        colours = bands[:3] if len(bands) >= 3 else np.repeat(bands[:1], 3, axis=0)
-        seen = np.where(block.valid, simulated(colours, pattern, demosaic), colours)
-        yield row, seen[:, row - top : min(row + height, rows) - top]
-
-
-def filtered(colours: np.ndarray, pattern: str) -> np.ndarray:
-    """What the chip records (rows, columns) of a scene's red, green and blue (3, rows, columns).
-
-    ``pattern``: colours of the filter over the first two pixels of the first row, then of the second.
-    """
-    return np.asarray(np.choose(_colour_indices(pattern, colours.shape[1:]), colours))
 
 
 def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
@@ -80,14 +62,16 @@ def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
 
     ``bilinear``: the mean of the two or four nearest pixels of the colour. ``malvar``: that, and a share of what the
     pixel's colour differs from its neighbours (Malvar, He and Cutler 2004). ``edge_aware``: OpenCV's, along edges.
-    Raises RasterError when the way does not go with the data type.
+    ``pattern``: colours of the filter over the first two pixels of the first row, then of the second. Raises
+    RasterError when the way does not go with the data type.
     """
     if demosaic == EDGE_AWARE:
         if chip.dtype not in (np.uint8, np.uint16):
             raise RasterError(messages.EDGE_AWARE_WANTS_INTEGERS(kind=chip.dtype))
         import cv2
 
-        colours = cv2.cvtColor(chip, getattr(cv2, f"COLOR_Bayer{_CODES[pattern]}2RGB_EA"))
+        code = f"COLOR_Bayer{pattern[:1:-1]}2RGB_EA"  # OpenCV names the second row, from its second pixel back
+        colours = cv2.cvtColor(chip, getattr(cv2, code))
         return np.ascontiguousarray(np.moveaxis(colours, -1, 0))
     result = (_bilinear if demosaic == BILINEAR else _malvar)(chip.astype(np.float64), pattern)
     if chip.dtype.kind == "f":
@@ -97,8 +81,10 @@ def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
 
 
 def simulated(colours: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
-    """(3, rows, columns) as a single-chip camera would have seen it. Raises RasterError as ``interpolated`` does."""
-    return interpolated(filtered(colours, pattern), pattern, demosaic)
+    """(3, rows, columns) as a single-chip camera would have seen red, green and blue (3, rows, columns): interpolated
+    of what its chip records. Raises RasterError as ``interpolated`` does."""
+    chip = np.asarray(np.choose(_colour_indices(pattern, colours.shape[1:]), colours))
+    return interpolated(chip, pattern, demosaic)
 
 
 def _colour_indices(pattern: str, shape: tuple[int, ...]) -> np.ndarray:

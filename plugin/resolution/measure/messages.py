@@ -10,9 +10,7 @@ BAR_LAYER_NOT_CREATED = Message(
     "No layer of bar groups can be written to {folder}; save the project in a folder that you can write to.")
 FIELD_MISSING = Message("The layer has no field '{field}'; add it and fill it in.")
 # a line across the bars of a group
-BAR_LINE_EMPTY = Message("The line has no geometry; draw it again across the bars of the group.", INFO)
-BAR_LINE_MULTIPART = Message("The line has several parts; draw one line across the bars of the group.", INFO)
-BAR_LINE_BENT = Message("The line is not straight; draw it with two points across the bars of the group.", INFO)
+BAR_LINE_BENT = Message("Not one straight line; draw it with two points across the bars of the group.", INFO)
 BAR_LINE_OUTSIDE = Message("The line leaves {name}; draw it on the image, across the bars of the group.")
 BAR_LINE_ON_NODATA = Message("The line crosses pixels of {name} without data; draw it where the image is.")
 BAR_LINE_TOO_SHORT = Message(

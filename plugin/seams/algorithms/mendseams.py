@@ -44,7 +44,6 @@ class MendSeams(SeamInspectorAlgorithm):
         "touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are "
         "used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason."
     )
-    NAMED_BY_FORMAT = (MENDED,)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(*common.mosaic())

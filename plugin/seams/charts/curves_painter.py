@@ -14,8 +14,7 @@ from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolyg
 
 from ...imagery.errors import printable
 from ...toolkit.charts.chart_painter import PT, ChartPainter
-from ...toolkit.charts.chart_style import ChartStyle, source_look
-from ...toolkit.charts.round_ticks import decade_ticks, round_below
+from ...toolkit.charts.chart_style import ChartStyle, decade_ticks, round_below, source_look
 from ...toolkit.translation import filled, formatted, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 

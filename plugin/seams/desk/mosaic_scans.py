@@ -18,7 +18,7 @@ from ...imagery.errors import INFO, Message, SeamInspectorError
 from ...imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT
 from ...toolkit.background_tasks import BackgroundTasks, End, Outcome
 from ...toolkit.connections import Connections
-from ...toolkit.desk.message_bar import bar_level, write_log
+from ...toolkit.desk.tool_dock import bar_level, write_log
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import layer_path
 from ...toolkit.reference_systems import keep_system

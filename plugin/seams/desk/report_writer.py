@@ -13,7 +13,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 from ...imagery.errors import Message, SeamInspectorError
 from ...toolkit.algorithms.outputs import check_chosen_file
 from ...toolkit.background_tasks import BackgroundTasks
-from ...toolkit.desk.message_bar import bar_level
+from ...toolkit.desk.tool_dock import bar_level
 from ...toolkit.packages import missing_packages_sentence
 from ...toolkit.translation import filled, sentence, tr
 

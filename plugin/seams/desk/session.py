@@ -20,7 +20,7 @@ from ...imagery.grids import Grid, PixelWindow
 from ...imagery.statistics import FIRST, Operator
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.connections import Connections
-from ...toolkit.desk.message_bar import bar_level
+from ...toolkit.desk.tool_dock import bar_level
 from ...toolkit.resources import icon_path
 from ...toolkit.translation import filled, sentence, tr
 from ..jobs import ScanOrder

@@ -14,7 +14,7 @@ from ...imagery.errors import Message, RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
 from ...imagery.rasters import Raster
-from ...toolkit.pages.picture_files import encoded
+from ...toolkit.pictures import encoded
 from ..clip_pictures import bytes_picture, stretched
 from ..measure.judgement.visibility import SHOWN_PX, worst_places
 from ..measure.profile.window_detail import LossPicture

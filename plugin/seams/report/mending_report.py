@@ -11,8 +11,8 @@ from ...imagery.grids import standard_window
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.raster_pool import open_raster, rasters_kept
 from ...imagery.rasters import RasterRef
-from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster, save_page
+from ...toolkit.pictures import encoded
 from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..clip_pictures import stretched
 from ..measure.limits import JUDGED_MAGNIFICATION

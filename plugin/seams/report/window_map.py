@@ -23,7 +23,7 @@ from ...imagery.errors import RasterError
 from ...imagery.grids import middle_of
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import metres_per_unit
-from ...toolkit.charts.round_ticks import round_below
+from ...toolkit.charts.chart_style import round_below
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import box_extent, rectangle
 from ...toolkit.painting import painting

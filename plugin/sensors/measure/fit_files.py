@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, fields, is_dataclass
 from functools import cached_property
 from operator import methodcaller
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 
@@ -86,28 +86,25 @@ def _built(kind: Any, plain: Any) -> Any:
     return kind(plain)
 
 
-@dataclass(frozen=True)
-class ViewDirection:
+class ViewDirection(NamedTuple):
     """The line of sight, at the ground."""
 
     angle: float  # from the vertical, degrees, in the middle of the image
     azimuth: float  # where it was taken from, degrees from north over east
     largest: float  # the largest angle from the vertical in the image's corners, degrees
+    error: float  # in the terrain's heights, m
+    shift: float  # of the orthoimage's middle by that error, m
 
-    def shift_m(self, terrain_error_m: float) -> float:
-        """Shift of the orthoimage's middle by an error in the terrain's heights, m."""
-        return float(np.tan(np.radians(self.angle)) * abs(terrain_error_m))
-
-    def notice(self, terrain_error_m: float) -> Message:
-        """The view in words, with what an error of the terrain's heights does."""
+    @property
+    def notice(self) -> Message:
         return messages.VIEW_TOLD(
-            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=terrain_error_m,
-            shift=self.shift_m(terrain_error_m),
-        )  # fmt: skip
+            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=self.error, shift=self.shift
+        )
 
 
-def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
-    """View direction of a model fitted to points of ``wkt``; None for a plane one, or one too bent to be inverted."""
+def view_direction(model: SensorModel, wkt: str, domain: Domain, error: float) -> ViewDirection | None:
+    """View direction of a model fitted to points of ``wkt``, with an ``error`` of terrain heights, m; None for a plane
+    one, or one too bent to be inverted."""
     if not model.SPATIAL:
         return None
     levels = np.mean(domain.heights) + np.array([-0.5, 0.5]) * _RISE_M
@@ -121,7 +118,8 @@ def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirectio
     towards = (high - low)[:, :2] * metres_per_unit(WGS84, low[0])
     angles = np.degrees(np.arctan(np.linalg.norm(towards, axis=1) / _RISE_M))
     azimuth = float(np.degrees(np.arctan2(towards[0, 0], towards[0, 1])) % 360)
-    return ViewDirection(float(angles[0]), azimuth, float(angles.max()))
+    shift = float(np.tan(np.radians(angles[0])) * abs(error))
+    return ViewDirection(float(angles[0]), azimuth, float(angles.max()), error, shift)
 
 
 @dataclass(frozen=True)

@@ -3,9 +3,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import SensorModelError
@@ -37,19 +37,13 @@ class Lens:
         """Factor by which a point is shown further out, by the square of its distance from the centre."""
         return np.ones_like(squared)
 
-    def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-        """The part of the distortion that is not radial, in focal lengths along columns and rows; None for nothing."""
-        return None
-
     def distorted(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The distorted place, in focal lengths along columns and rows; NaN for what the lens doesn't show."""
         squared = x * x + y * y
         scale = self.scale(squared)
         if np.isfinite(self.reach):
             scale[squared > self.reach**2] = np.nan
-        added = self.added(x, y, squared)
-        across, down = x * scale, y * scale
-        return (across, down) if added is None else (across + added[0], down + added[1])
+        return x * scale, y * scale
 
 
 @dataclass(frozen=True)
@@ -60,13 +54,16 @@ class BrownLens(Lens):
     tangential: tuple[float, float] = (0.0, 0.0)  # p1 (rows) and p2 (columns)
 
     def scale(self, squared: np.ndarray) -> np.ndarray:
-        return _polynomial(self.radial, squared)
+        return polyval(squared, np.array((1.0, *self.radial), squared.dtype))
 
-    def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+    def distorted(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        across, down = super().distorted(x, y)
         if not any(self.tangential):
-            return None
-        (first, second), product = self.tangential, 2 * x * y
-        return first * product + second * (squared + 2 * x * x), first * (squared + 2 * y * y) + second * product
+            return across, down
+        (first, second), product, squared = self.tangential, 2 * x * y, x * x + y * y
+        across += first * product + second * (squared + 2 * x * x)
+        down += first * (squared + 2 * y * y) + second * product
+        return across, down
 
 
 @dataclass(frozen=True)
@@ -78,18 +75,8 @@ class FisheyeLens(Lens):
     def scale(self, squared: np.ndarray) -> np.ndarray:
         distance = np.sqrt(squared)
         angle = np.arctan(distance)
-        shown = angle * _polynomial(self.angular, angle * angle)
+        shown = angle * polyval(angle * angle, np.array((1.0, *self.angular), angle.dtype))
         return np.divide(shown, distance, out=np.ones_like(distance), where=distance > 0)
-
-
-def _polynomial(coefficients: tuple[float, ...], value: np.ndarray) -> np.ndarray:
-    """1 + c1 v + c2 v^2 + ..., by Horner's rule."""
-    total = np.zeros_like(value)
-    for coefficient in reversed(np.trim_zeros(coefficients, "b")):
-        total += coefficient
-        total *= value
-    total += 1
-    return total
 
 
 @dataclass(frozen=True)
@@ -117,8 +104,6 @@ class FrameInterior:
 @dataclass(frozen=True)
 class FrameCamera(SensorModel):
     """Collinearity: x, y of a plane system and heights are one Cartesian space. What is behind the camera is NaN."""
-
-    GEOGRAPHIC: ClassVar[bool] = False
 
     interior: FrameInterior
     position: np.ndarray  # (3,) projection centre: x, y, height, m

@@ -35,41 +35,34 @@ UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
 FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
 
-@dataclass(frozen=True)
-class Geoid:
-    """A grid file of heights of sea level above the ellipsoid."""
-
-    ref: RasterRef
-
-    def undulation(self, geographic: np.ndarray) -> np.ndarray:
-        """(n,) m, bilinear, at (n, 2 or more) longitude, latitude. Raises RasterError where the grid has none."""
-        source = OpenRaster(self.ref)
-        wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
-        if transform is None or not source.raster.is_north_up:
-            raise RasterError(messages.NO_GEOID(name=self.ref.name))
-        places = transform_points(geographic, WGS84, wkt)
-        around = 0  # columns of a grid that goes around the Earth
-        if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
-            middle = transform[0] + transform[1] * source.columns / 2
-            places[:, 0] += TURN * np.round((middle - places[:, 0]) / TURN)
-            around = round(TURN / abs(transform[1])) if abs(transform[1]) * source.columns >= TURN - 1e-6 else 0
-        column, row = grid_places(places, transform[0::3], transform[1::4]).T
-        column = column % around if around else column
-        last = np.array([source.columns - 1, source.rows - 1])
-        inside = np.clip(np.column_stack([column, row]), 0, [around or last[0], last[1]])
-        if np.abs(inside - np.column_stack([column, row])).max(initial=0) > 0.5 + 1e-6:
-            raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
-        (left, top), (right, bottom) = inside.min(axis=0).astype(int), np.minimum(inside.max(axis=0) + 2, last + 1)
-        if around:
-            left, right = 0, source.columns
-        grid = first_band(source, PixelWindow(int(left), int(top), int(right) - int(left), int(bottom) - int(top)))
-        grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap") if around else grid
-        heights = bilinear(grid, *(inside - [left, top]).T)
-        if not np.isfinite(heights).all():
-            raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
-        if np.abs(heights).max(initial=0) > MAX_UNDULATION_M:
-            raise RasterError(messages.NO_GEOID(name=self.ref.name))
-        return heights
+def undulation(grid: RasterRef, geographic: np.ndarray) -> np.ndarray:
+    """(n,) m of sea level above the ellipsoid by a grid file, bilinear, at (n, 2 or more) longitude, latitude. Raises
+    RasterError where the grid has none."""
+    source = OpenRaster(grid)
+    wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
+    if transform is None or not source.raster.is_north_up:
+        raise RasterError(messages.NO_GEOID(name=grid.name))
+    places = transform_points(geographic, WGS84, wkt)
+    around = 0  # columns of a grid that goes around the Earth
+    if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
+        middle = transform[0] + transform[1] * source.columns / 2
+        places[:, 0] += TURN * np.round((middle - places[:, 0]) / TURN)
+        around = round(TURN / abs(transform[1])) if abs(transform[1]) * source.columns >= TURN - 1e-6 else 0
+    column, row = grid_places(places, transform[0::3], transform[1::4]).T
+    column = column % around if around else column
+    last = np.array([source.columns - 1, source.rows - 1])
+    inside = np.clip(np.column_stack([column, row]), 0, [around or last[0], last[1]])
+    if np.abs(inside - np.column_stack([column, row])).max(initial=0) > 0.5 + 1e-6:
+        raise RasterError(messages.GEOID_NOT_COVERING(name=grid.name))
+    top, bottom = int(inside[:, 1].min()), min(int(inside[:, 1].max()) + 2, source.rows)
+    values = first_band(source, PixelWindow(0, top, source.columns, bottom - top))
+    values = np.pad(values, ((0, 0), (0, 1)), mode="wrap") if around else values
+    heights = bilinear(values, *(inside - [0, top]).T)
+    if not np.isfinite(heights).all():
+        raise RasterError(messages.GEOID_NOT_COVERING(name=grid.name))
+    if np.abs(heights).max(initial=0) > MAX_UNDULATION_M:
+        raise RasterError(messages.NO_GEOID(name=grid.name))
+    return heights
 
 
 def first_band(source: OpenRaster, window: PixelWindow, size: tuple[int, int] | None = None) -> np.ndarray:
@@ -95,7 +88,7 @@ def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndar
     return map_coordinates(grid, [rows, columns], np.float64, order=1, mode="nearest")
 
 
-Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
+Datum = Union[str, "RasterRef"]  # in quotes: typing would else remember the class when QGIS unloads it
 """One of ``limits.HEIGHT_DATUMS`` but ``geoid``, or the grid of that."""
 
 
@@ -104,8 +97,8 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
 
     ``vertical`` is ``EPSG:`` and a code, WKT of a compound system, or a grid. Raises RasterError where PROJ has none.
     """
-    if isinstance(vertical, Geoid):
-        return np.asarray(geographic[:, 2] + vertical.undulation(geographic))
+    if isinstance(vertical, RasterRef):
+        return np.asarray(geographic[:, 2] + undulation(vertical, geographic))
     source = spatial_reference(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
     options = osr.CoordinateTransformationOptions()
     options.SetBallparkAllowed(False)
@@ -120,7 +113,7 @@ def converted(geographic: np.ndarray, wkt: str, datum: Datum, name: str) -> tupl
     """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude and height in ``datum``, which may be what the
     system ``wkt`` says, and what to say about it. Raises RasterError without a grid."""
     heights, system, vertical = geographic[:, 2], spatial_reference(wkt), VERTICAL.get(str(datum), datum)
-    named = datum.ref.name if isinstance(datum, Geoid) else datum
+    named = datum.name if isinstance(datum, RasterRef) else datum
     if datum == AUTO:
         code = system.GetAuthorityCode("COMPD_CS|VERT_CS")
         vertical = f"EPSG:{code}" if code else wkt

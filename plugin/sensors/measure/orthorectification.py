@@ -81,10 +81,7 @@ class OrthoRequest:
 class Ortho:
     path: Path  # its file
     wkt: str  # its reference system
-    extent: Extent  # xmin, ymin, xmax, ymax, map units
-    pixel_size: float  # map units
-    columns: int  # number of columns, px
-    rows: int  # number of rows, px
+    grid: Grid  # its pixels
     rms_px: float  # of the RPC that stands for the model, px of the image; 0 for an RPC itself, and a photo
     max_px: float  # the largest of the same
     uncovered: float  # share of the image without terrain heights
@@ -129,8 +126,7 @@ def orthorectify(
             _warp(request, image_with_rpc(image, rpc.rpc), heights, grid, progress, cancelled)
     finally:
         drop_from_memory(heights)
-    made = request.target_wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
-    return Ortho(request.output, *made, rms, most, uncovered, tuple(notices))
+    return Ortho(request.output, request.target_wkt, grid, rms, most, uncovered, tuple(notices))
 
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:

@@ -70,10 +70,6 @@ class Points:
         usual = float(np.median(self.sigma_px[known])) if known.any() else 1.0
         return 1 / np.clip(np.where(known, self.sigma_px, usual), *SIGMAS_PX)
 
-    @property
-    def sigma_known(self) -> bool:
-        return bool((self.sigma_px > 0).any())
-
 
 def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wkt: str) -> Points:
     """Points of which nothing else is known: none for check, and no heights where ``ground`` is (n, 2)."""
@@ -99,15 +95,12 @@ def choose_check_points(points: Points, share: float) -> Points:
 
 def image_points(image: OpenRaster) -> Points:
     """The points of an image, all for control; heights that are all 0 are none. Raises SensorModelError without any."""
-    gcps = image.dataset.GetGCPs() or ()
-    if not gcps:
+    gcps, wkt = image.dataset.GetGCPs() or (), image.dataset.GetGCPProjection() or image.ref.wkt
+    numbers = np.array([(gcp.GCPPixel, gcp.GCPLine, gcp.GCPX, gcp.GCPY, gcp.GCPZ) for gcp in gcps], float)
+    if not gcps or not np.isfinite(numbers).all():
         raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
-    wkt = image.dataset.GetGCPProjection() or image.ref.wkt
     if not wkt:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=image.ref.name))
-    numbers = np.array([(gcp.GCPPixel, gcp.GCPLine, gcp.GCPX, gcp.GCPY, gcp.GCPZ) for gcp in gcps], float)
-    if not np.isfinite(numbers).all():
-        raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
     if not numbers[:, 4].any():
         numbers[:, 4] = np.nan
     names = [gcp.Id or str(number) for number, gcp in enumerate(gcps, 1)]
@@ -309,12 +302,8 @@ class ControlCoverage:
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """The part of an image that (n, 2) control points cover."""
-    places = ogr.Geometry(ogr.wkbMultiPoint)
-    for x, y in control.tolist():
-        place = ogr.Geometry(ogr.wkbPoint)
-        place.AddPoint_2D(x, y)
-        places.AddGeometry(place)
-    hull = places.ConvexHull()
+    places = ", ".join(f"{x!r} {y!r}" for x, y in control.tolist())
+    hull = ogr.CreateGeometryFromWkt(f"MULTIPOINT ({places})" if places else "MULTIPOINT EMPTY").ConvexHull()
     corners = hull.GetGeometryRef(0) if hull.GetGeometryType() == ogr.wkbPolygon else hull
     outline = np.array(corners.GetPoints() or np.zeros((0, 2)))[:, :2]
     box = ogr.CreateGeometryFromWkt("POLYGON (({0} {1}, {2} {1}, {2} {3}, {0} {3}, {0} {1}))".format(*image))

@@ -73,9 +73,6 @@ class Dlt(SensorModel):
     image: Scaling
     coefficients: np.ndarray  # (12,) a1..a12 of the scaled coordinates; a12, of column times row, is 0 unless asked for
 
-    def project(self, ground: np.ndarray) -> np.ndarray:
-        return self.as_rational().project(ground)
-
     def as_rational(self) -> Rational:
         """This function as quotients: y = (a5 + ...) / (1 + ... - a12 (a1 + ...))."""
         a = self.coefficients
@@ -192,9 +189,6 @@ class Polynomial3D(SensorModel):
     ground: Scaling
     image: Scaling
     coefficients: np.ndarray  # (terms, 2) of the scaled column and row, in the order of RPC00B
-
-    def project(self, ground: np.ndarray) -> np.ndarray:
-        return self.image.back(polynomial_terms(self.ground.to(ground), self.order) @ self.coefficients)
 
     def as_rational(self) -> Rational:
         ones = np.zeros_like(self.coefficients)

@@ -105,7 +105,7 @@ DLT = ModelKind(
 PUSHBROOM = ModelKind(
     "pushbroom", (Variant("", 8, 4, 0, with_priors=20),), (".pushbroom", "Pushbroom", "fit_pushbroom"),
     messages.RECOMMEND_PUSHBROOM,
-    lambda request, points: (request.orbit_height_m, request.size, not points.sigma_known),
+    lambda request, points: (request.orbit_height_m, request.size, not (points.sigma_px > 0).any()),
 )
 RPC_BIAS = ModelKind(
     "rpc_bias", (Variant("shift", 2, 1, 1), Variant("shift_drift", 3, 2, 1), Variant("affine", 6, 3, 1)),

@@ -182,12 +182,12 @@ def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> 
             np.array([float(str(items[f"{part}_{kind}"]).split()[0]) for part in _OFFSETS]) for kind in ("OFF", "SCALE")
         )
         arrays = {part: np.array(str(items[f"{part}_COEFF"]).split(), float) for part in _COEFFICIENTS}
+        finite = np.isfinite(np.concatenate([offsets, scales, *arrays.values()])).all()
+        whole = all(len(array) == len(EXPONENTS_3D) for array in arrays.values())
+        if not (finite and whole and scales.all() and arrays["LINE_DEN"][0] and arrays["SAMP_DEN"][0]):
+            raise ValueError
     except (KeyError, ValueError, IndexError):
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
-    finite = np.isfinite(np.concatenate([offsets, scales, *arrays.values()])).all()
-    sound = finite and scales.all() and all(len(array) == len(EXPONENTS_3D) for array in arrays.values())
-    if not sound or arrays["LINE_DEN"][0] == 0 or arrays["SAMP_DEN"][0] == 0:
-        raise SensorModelError(messages.RPC_INCOMPLETE(name=name))
     image, ground = [1, 0], [3, 2, 4]  # of those five
     scaling = Scaling(offsets[image] - first_pixel + PIXEL_CENTRE, scales[image])
     above, below = (np.column_stack([arrays[f"SAMP_{part}"], arrays[f"LINE_{part}"]]) for part in ("NUM", "DEN"))

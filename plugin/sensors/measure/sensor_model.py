@@ -50,7 +50,9 @@ class SensorModel:
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""
-        raise NotImplementedError
+        rational = self.as_rational()
+        assert rational is not None  # what has not that form says how it projects
+        return rational.project(ground)
 
     def places(
         self, image: np.ndarray, heights: np.ndarray, middle: np.ndarray, metres: tuple[float, float]

@@ -5,7 +5,7 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from qgis.core import (
@@ -17,7 +17,6 @@ from qgis.core import (
     QgsProcessingModelAlgorithm,
     QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
-    QgsProcessingParameterFileDestination,
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 from qgis.PyQt.QtGui import QIcon
@@ -51,7 +50,7 @@ class _Checked:
         try:
             with gdal_silenced():
                 self._refuse(parameters, context)  # models and scripts may not have checked the values
-                self._begin(Run(self, parameters, context, feedback))
+                self.prepare(Run(self, parameters, context, feedback))
                 return bool(super().prepareAlgorithm(parameters, context, feedback))  # type: ignore[misc]
         except SeamInspectorError as error:
             raise _for_qgis(error) from None
@@ -69,12 +68,12 @@ class _Checked:
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
 
-    def _begin(self, run: Run) -> None:
-        """What is to be done in the thread of the layers."""
+    def prepare(self, run: Run) -> None:
+        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
 
     def for_check(self: Any, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values for QGIS's own check."""
-        return common.without_rasters(self, parameters)
+        return common.without_layers(self, parameters)
 
     def _refuse(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
@@ -82,13 +81,8 @@ class _Checked:
         common.check_files(self, parameters)
         refuse_outputs(self, parameters, context)
         run = Run(self, parameters, context)
-        run.check_endings(self._named_by_format())
+        run.check_endings()
         return run
-
-    def _named_by_format(self: Any) -> Iterable[str]:
-        """Output files whose ending has to be one that is offered."""
-        files = QgsProcessingParameterFileDestination
-        return [file.name() for file in self.destinationParameterDefinitions() if isinstance(file, files)]
 
 
 class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):
@@ -98,10 +92,8 @@ class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):
     NAME: str
     GROUP = SEAM_INSPECTION
     HELP: str
-    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)  # parameters with many rasters, which QGIS is not to open
     DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)  # outputs with charts, which need matplotlib
     PAGES: tuple[str, ...] = (common.REPORT,)  # outputs that are made from templates, likewise
-    NAMED_BY_FORMAT: tuple[str, ...] = ()  # output files, beside charts and pages, that need an ending that is offered
 
     def name(self) -> str:
         return self.ID
@@ -172,27 +164,15 @@ class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):
                     raise
                 raise QgsProcessingException(sentence(messages.UNLOADED())) from None
 
-    def prepare(self, run: Run) -> None:
-        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
-
-    def _begin(self, run: Run) -> None:
-        self.prepare(run)
-
     def execute(self, run: Run) -> dict[str, Any]:
         """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
         raise NotImplementedError
-
-    def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
-        return common.without_rasters(self, parameters, self.RASTER_LISTS)
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
         if missing := missing_packages_sentence(charts, pages):
             raise QgsProcessingException(missing)
         return super()._refuse(parameters, context)
-
-    def _named_by_format(self) -> Iterable[str]:
-        return common.CHART, *self.PAGES, *self.NAMED_BY_FORMAT
 
 
 def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:

@@ -5,9 +5,8 @@ import math
 import os
 import re
 import sys
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass, replace
-from typing import Any, TypeVar
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from qgis.core import (
     QgsProcessing,
@@ -29,7 +28,6 @@ from qgis.core import (
     QgsRasterLayer,
     QgsSettings,
 )
-from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
@@ -293,10 +291,8 @@ def _paths(value: Any) -> Iterator[str]:
             yield path
 
 
-def without_rasters(
-    algorithm: QgsProcessingAlgorithm, values: dict[str, Any], lists: Collection[str] = ()
-) -> dict[str, Any]:
-    """The values with nothing to open in place of each raster, each list of rasters, and each of the other ``lists``.
+def without_layers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> dict[str, Any]:
+    """The values with nothing to open in place of each raster and each list of layers.
 
     QGIS would load them all, write statistics beside them (into them, where they are VRTs), and refuse one that it
     can't open without a reason.
@@ -307,25 +303,6 @@ def without_rasters(
         if isinstance(definition, QgsProcessingParameterRasterLayer):
             if isinstance(value, str) and value:
                 emptied[name] = QgsRasterLayer()
-        elif name in values and (name in lists or takes_rasters(definition)):
+        elif name in values and isinstance(definition, QgsProcessingParameterMultipleLayers):
             emptied[name] = []
     return emptied
-
-
-Rules = TypeVar("Rules")
-_OWN = QT_TR_NOOP("Seam Inspector's own")  # the source of limits that no contract states
-_WORDS = ("name", "source", "kept_source")
-"""The fields that people read: what rules are called, and where their limits come from."""
-
-
-def in_users_language(rules: Rules) -> Rules:
-    """Names and sources of rules translated, those of the rules in them too; what is none of ours stays."""
-    known = {field.name: getattr(rules, field.name) for field in fields(rules)}  # type: ignore[arg-type]
-    changed = {name: tr(value) if name in _WORDS else _translated(value) for name, value in known.items()}
-    return replace(rules, **changed)  # type: ignore[type-var]
-
-
-def _translated(value: Any) -> Any:
-    if isinstance(value, tuple):
-        return tuple(map(_translated, value))
-    return in_users_language(value) if is_dataclass(value) and any(hasattr(value, word) for word in _WORDS) else value

@@ -17,6 +17,7 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterDestination,
     QgsProperty,
     QgsRectangle,
@@ -87,11 +88,6 @@ class Run:
     def real(self, name: str) -> float:
         return float(self._algorithm.parameterAsDouble(self.parameters, name, self.context))
 
-    def number_range(self, name: str) -> tuple[float, float]:
-        """Two numbers; NaN where one is not given or is none."""
-        low, high = self._algorithm.parameterAsRange(self.parameters, name, self.context)
-        return float(low), float(high)
-
     def flag(self, name: str) -> bool:
         return bool(self._algorithm.parameterAsBool(self.parameters, name, self.context))
 
@@ -100,9 +96,6 @@ class Run:
 
     def extent(self, name: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
         return self._algorithm.parameterAsExtent(self.parameters, name, self.context, crs)
-
-    def extent_crs(self, name: str) -> QgsCoordinateReferenceSystem:
-        return self._algorithm.parameterAsExtentCrs(self.parameters, name, self.context)
 
     def path(self, name: str) -> str:
         return str(self._algorithm.parameterAsFile(self.parameters, name, self.context))
@@ -267,16 +260,15 @@ class Run:
         path = self._algorithm.parameterAsFileOutput(self.parameters, name, self.context) if wanted else ""
         return Path(path) if path else None
 
-    def check_endings(self, files: Iterable[str]) -> None:
-        """Raise SettingsError for a raster, or one of these files, whose ending says something else than is written."""
-        for name in files:
-            definition, path = self._algorithm.parameterDefinition(name), self.file_path(name)
-            if definition is not None and path is not None:
-                _check_ending(path, definition.fileFilter())
+    def check_endings(self) -> None:
+        """Raise SettingsError for a file or a raster whose ending says something else than is written."""
         for definition in self._algorithm.destinationParameterDefinitions():
             path = Path(output_text(self.parameters.get(definition.name()), self.context))
-            if isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix:
-                _check_ending(path, GEOTIFF_FILES)
+            is_raster = isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix
+            is_other = isinstance(definition, QgsProcessingParameterFileDestination) and path.name
+            filters = GEOTIFF_FILES if is_raster else definition.fileFilter() if is_other else ""
+            if filters and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
+                raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
 
     def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
         """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.
@@ -326,8 +318,3 @@ class Run:
         """Tell how much is done, 0 to 1; whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
-
-
-def _check_ending(path: Path, filters: str) -> None:
-    if path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
-        raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))

@@ -106,8 +106,6 @@ def system_name(wkt: str) -> str:
     return f"{crs.authid()}, {crs.description()}" if crs.authid() else crs.description()
 
 
-_LONGEST_WORD = 24  # letters that a column of a table makes room for
-_LONGEST_UNBROKEN = 18  # letters of a cell that stays in one line
 _NUMBER = re.compile(r"[-+]?\d[\d.,]*%?(\s|$)")  # in whatever language its decimals are, and what may follow it
 _LONGEST_FOOT = 110  # letters of a title at the foot of a printed page
 
@@ -139,8 +137,7 @@ def environment() -> Environment:
     made.globals.update(tr=tr, filled=filled, language=language)
     made.filters.update(
         data_address=_data_address, css_text=_css_text, filled_columns=_filled_columns,
-        number_columns=_number_columns, has_long_word=_has_long_word, cell_width=_cell_width,
-        with_breaks=_with_breaks, number=formatted,
+        number_columns=_number_columns, with_breaks=_with_breaks, number=formatted,
     )
     return made
 
@@ -156,21 +153,9 @@ def _data_address(data: bytes | str, media: str) -> str:
     return f"data:image/{media};base64,{base64.b64encode(content).decode()}"
 
 
-def _has_long_word(value: object) -> bool:
-    """Whether words have to be broken so that a table fits the page."""
-    return isinstance(value, str) and any(len(word) > _LONGEST_WORD for word in value.split())
-
-
 def _with_breaks(value: object) -> Markup:
     """Words that a line may break behind a folder, before it would be within a name."""
     return Markup(re.sub(r"(?<=[/\\])(?=[^/\\])", "<wbr>", str(escape(printable(str(value))))))
-
-
-def _cell_width(value: object) -> str:
-    """The class of a cell: ``short`` ones stay in one line, ``long`` ones are no narrower than a few words."""
-    if value is None or value == "":
-        return ""
-    return "short" if len(str(value)) <= _LONGEST_UNBROKEN else "long"
 
 
 def _css_text(words: str) -> str:

@@ -135,7 +135,7 @@ def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[...,
 def test_crop_size_format_and_extent(job: Callable[..., Ortho], tmp_path: Path) -> None:
     dem = terrain_file(tmp_path / "dem.tif")
     whole = job(dem=dem, target_wkt="EPSG:32632")
-    middle = [(whole.extent[i] + whole.extent[i + 2]) / 2 for i in (0, 1)]
+    middle = [(whole.grid.extent[i] + whole.grid.extent[i + 2]) / 2 for i in (0, 1)]
     extent = (middle[0] - 20, middle[1] - 10, middle[0] + 20, middle[1] + 10)
     part = job(dem=dem, target_wkt="EPSG:32632", extent=extent, pixel_size=2.0, format="COG", output=tmp_path / "c.tif")
     dataset = gdal.Open(str(part.path))

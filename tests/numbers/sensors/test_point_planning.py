@@ -94,7 +94,7 @@ def test_the_nominal_scanner_is_tilted_and_covers_what_is_asked_for() -> None:
     columns, rows = NOMINAL.size
     assert columns == rows == 30000
     domain = Domain((0, columns), (0, rows), NOMINAL.heights, NOMINAL.middle)
-    view = view_direction(NOMINAL.model, "EPSG:4326", domain)
+    view = view_direction(NOMINAL.model, "EPSG:4326", domain, 1)
     assert view.angle == pytest.approx(20, abs=0.1)
     seen = NOMINAL.model.project(np.array([[0, 45, 150], [0.001, 45, 150], [0, 45.001, 150]]))
     assert seen[0] == pytest.approx([15000, 15000], abs=10)
@@ -124,7 +124,7 @@ DOMAIN = Domain((0, COLUMNS), (0, ROWS), (0, 1200), (float(MIDDLE[0]), float(MID
 def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
     """GDAL's RPC transformer puts the middle of the image at two heights; 45 degrees would move it by as much."""
     rpc = made_rational(3, 4)
-    view = view_direction(rpc, WGS84, DOMAIN)
+    view = view_direction(rpc, WGS84, DOMAIN, -7)
     image = gdal.GetDriverByName("MEM").Create("", int(COLUMNS), int(ROWS), 1)
     image.SetMetadata(to_metadata(rpc), "RPC")
     transformer = gdal.Transformer(image, None, ["METHOD=RPC", "RPC_PIXEL_ERROR_THRESHOLD=1e-6"])
@@ -132,7 +132,7 @@ def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
     east, north = (high - low) * metres_per_unit(WGS84, low)
     assert np.tan(np.radians(view.angle)) == pytest.approx(np.hypot(east, north) / 100, rel=1e-3)
     assert view.azimuth == pytest.approx(np.degrees(np.arctan2(east, north)) % 360, abs=0.1)
-    assert view.shift_m(7) == pytest.approx(7 * np.hypot(east, north) / 100, rel=1e-3)
+    assert view.shift == pytest.approx(7 * np.hypot(east, north) / 100, rel=1e-3)
     assert view.largest >= view.angle - 1e-9
 
 
@@ -142,7 +142,7 @@ def test_an_oblique_photo_has_a_view() -> None:
     interior = FrameInterior(np.full(2, 914.0), principal, BrownLens((-0.264, 0.112, -0.027), (9e-4, -5e-4)))
     camera = FrameCamera(interior, np.array([500_000.0, 5_550_000.0, 520.0]), camera_axes(30, 0, 0))
     domain = Domain((0, 1368), (0, 912), (230, 370), (500_000.0, 5_550_130.0))
-    view = view_direction(camera, "EPSG:32651", domain)
+    view = view_direction(camera, "EPSG:32651", domain, 1)
     assert view.angle == pytest.approx(30, abs=0.3)
     assert view.azimuth == pytest.approx(180, abs=1)
     assert 65 < view.largest < 75
@@ -151,4 +151,4 @@ def test_an_oblique_photo_has_a_view() -> None:
 def test_a_model_that_can_t_be_inverted_has_no_view() -> None:
     """So that an orthoimage which is made already does not fail for it."""
     bent = replace(made_rational(1, 2), numerators=np.zeros((4, 2)))
-    assert view_direction(bent, WGS84, DOMAIN) is None
+    assert view_direction(bent, WGS84, DOMAIN, 1) is None

@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure import registry, rpc
 from seam_inspector.plugin.sensors.measure.adjustment import adjust
 from seam_inspector.plugin.sensors.measure.fit_files import FORMAT, ModelFile, load_model, save_model
-from seam_inspector.plugin.sensors.measure.heights import Geoid, above_ellipsoid
+from seam_inspector.plugin.sensors.measure.heights import above_ellipsoid
 from seam_inspector.plugin.sensors.measure.points import control_points, file_points, image_points, write_point_file
 from seam_inspector.plugin.sensors.measure.rpc import BiasedRpc, Domain, open_image, read_rpc, to_metadata, write_rpc
 from seam_inspector.plugin.sensors.measure.sensor_model import SensorModel, reprojected
@@ -285,16 +285,16 @@ def egm96_file(path: Path, first: float = -180.0) -> str:
 def test_a_grid_of_ones_own_is_added(tmp_path: Path, first: float) -> None:
     """At the grid's own nodes it is what PROJ has, whichever longitude the file begins at."""
     nodes = np.array([[7, 43, 10.0], [-70, -12, 20.0], [179, 60, 0.0], [-180, 0, 0.0]])
-    heights = above_ellipsoid(nodes, Geoid(RasterRef(egm96_file(tmp_path / "geoid.tif", first))))
+    heights = above_ellipsoid(nodes, RasterRef(egm96_file(tmp_path / "geoid.tif", first)))
     np.testing.assert_allclose(heights, above_ellipsoid(nodes, "EPSG:5773"), atol=1e-4)
 
 
 def test_what_is_no_grid_of_the_geoid_says_so(tmp_path: Path) -> None:
     places = np.array([[7.1, 43.6, 0.0]])
     with pytest.raises(RasterError, match="is not a geoid grid"):
-        above_ellipsoid(places, Geoid(RasterRef(image_file(tmp_path / "image.tif"))))
+        above_ellipsoid(places, RasterRef(image_file(tmp_path / "image.tif")))
     west = gdal.Translate(str(tmp_path / "w.tif"), egm96_file(tmp_path / "g.tif"), projWin=(-90, 60, -60, 20))
     west = None
     assert west is None
     with pytest.raises(RasterError, match="has no values at some of the places"):
-        above_ellipsoid(places, Geoid(RasterRef(str(tmp_path / "w.tif"))))
+        above_ellipsoid(places, RasterRef(str(tmp_path / "w.tif")))

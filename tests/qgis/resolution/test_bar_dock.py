@@ -115,7 +115,7 @@ def test_the_profile_is_shown_while_the_line_moves(operator: Operator) -> None:
     operator.press(start)
     operator.move(end)
     wait_until(lambda: operator.dock.results, "for the profile")
-    assert operator.dock.profile.bands_shown == 3
+    assert len(operator.dock.results) == 3
     assert all(len(result.reading.bars) == 3 for result in operator.dock.results if result.reading is not None)
     assert "resolved" in operator.dock.verdict.text()
     assert operator.rows() == []
@@ -206,12 +206,10 @@ def test_escape_and_the_right_button(operator: Operator) -> None:
     operator.press(start)
     operator.move(end)
     operator.canvas.keyPressed.emit(QKeyEvent(QEvent.Type.KeyPress, Qt.Key.Key_Escape, Qt.KeyboardModifier.NoModifier))
-    assert not operator.tool.is_drawing
     operator.release(end)
     assert operator.rows() == []
     operator.press(start)
     operator.release(end, RIGHT)
-    assert not operator.tool.is_drawing
     assert operator.dock.draw.isChecked()
     operator.release(end, RIGHT)
     assert not operator.dock.draw.isChecked()

@@ -126,8 +126,8 @@ def test_each_bad_line_has_its_reason_and_the_others_are_measured(target: BarSce
         (target.geometry(1), 1, "along", "Group 1 along is drawn twice"),
         (target.geometry(2), None, "along", "no whole number in its field 'group'"),
         (target.geometry(2), 7, "sideways", "direction is 'sideways'"),
-        (None, 8, "along", "has no geometry"),
-        (line((10, 40), (30, 60), (50, 40)), 9, "along", "is not straight"),
+        (None, 8, "along", "one straight line"),
+        (line((10, 40), (30, 60), (50, 40)), 9, "along", "one straight line"),
         (line((0, 0), (5000, 0)), 10, "along", "are the most"),
     ]
     shapes, groups, directions, words = zip(*cases)

@@ -13,7 +13,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.clip_pictures import make_pictures
 from seam_inspector.plugin.seams.measure.window.inspection import make_block
 from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
-from seam_inspector.plugin.toolkit import picture_stretch
+from seam_inspector.plugin.toolkit import pictures
 
 from tests.numbers.synthetic import orthoimage, write_raster
 
@@ -87,15 +87,15 @@ def test_16_bit_is_shown_by_its_range(tmp_path: Path, largest: int, nbits: int |
 def test_pixels_that_are_alike_have_a_picture_however_large_they_are(value: float) -> None:
     alike = np.full((4, 4), value)
     for pixels in (alike, alike.astype(np.float32), alike.astype(np.int64)):
-        low, high = picture_stretch.cut_range([pixels])
-        assert (picture_stretch.to_bytes(pixels, low, high) == picture_stretch.to_bytes(pixels, low, high)[0]).all()
+        low, high = pictures.cut_range([pixels])
+        assert (pictures.to_bytes(pixels, low, high) == pictures.to_bytes(pixels, low, high)[0]).all()
         assert high > low
-        assert np.ptp(picture_stretch.to_bytes(pixels, value, value)) == 0
+        assert np.ptp(pictures.to_bytes(pixels, value, value)) == 0
 
 
 @pytest.mark.filterwarnings("error")
 def test_what_is_no_number_is_black() -> None:
     pixels = np.array([[np.nan, np.inf, -np.inf, 1e38, 10.0, 20.0]])
-    low, high = picture_stretch.cut_range([pixels])
+    low, high = pictures.cut_range([pixels])
     assert (low, high) == pytest.approx((10.2, 19.8))
-    assert picture_stretch.to_bytes(pixels, low, high).tolist() == [[0, 255, 0, 255, 0, 255]]
+    assert pictures.to_bytes(pixels, low, high).tolist() == [[0, 255, 0, 255, 0, 255]]

@@ -165,8 +165,8 @@ def crossing() -> QgsGeometry:
 
 
 BAD_WINDOWS: list[tuple[Callable[[], QgsGeometry | None], str]] = [
-    (crossing, "outline of the window crosses itself"),
-    (lambda: outline(SHARP).combine(outline(BLURRED)), "several parts"),
+    (crossing, "not a single polygon whose outline crosses nowhere"),
+    (lambda: outline(SHARP).combine(outline(BLURRED)), "not a single polygon"),
     (lambda: None, "has no outline"),
     (lambda: QgsGeometry.fromWkt("POLYGON EMPTY"), "has no outline"),
     (lambda: outline((0, 0, 63, 128)), "63 x 128 px of the mosaic; a side needs at least 64 px"),

@@ -62,5 +62,5 @@ def end_all(address: str) -> None:
 def test_a_cluster_that_is_lost_is_told(cluster: str, requests: list[WindowRequest], number: int | None) -> None:
     process = scheduler_process(cluster)
     loss = (lambda: os.kill(process, number)) if number else (lambda: end_all(cluster))
-    with pytest.raises(WorkersLostError, match=f"{cluster} is gone, or has no workers any more; start"):
+    with pytest.raises(WorkersLostError, match=f"{cluster} is gone, or has no workers that answer; start"):
         list(lose(cluster, requests, loss))

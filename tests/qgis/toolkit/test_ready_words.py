@@ -1,32 +1,28 @@
 """Rules and models that come with the plugin are in the user's language; what users name themselves stays as it is."""
 from __future__ import annotations
 
-from dataclasses import replace
-
 from qgis.core import QgsProcessingProvider
-from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules
-from seam_inspector.plugin.imagery.documents import ready_rules
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import rules_of_objects
+from seam_inspector.plugin.imagery.documents import RuleObject, read_rules, ready_rules
+from seam_inspector.plugin.imagery.messages import RULES_PLACE
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.radiometry.measure.rules import load_rules, ready_rule_files
-from seam_inspector.plugin.toolkit.algorithms.parameters import in_users_language
+from seam_inspector.plugin.toolkit.translation import tr
 
 
 def test_ready_rules_and_their_sources_are_polish(polish: None) -> None:
-    known = [load_acceptance_rules(path) for path in ready_rules("acceptance").values()]
-    for rules in known:
-        worded = in_users_language(rules)
+    for path in ready_rules("acceptance").values():
+        rules, worded = (read_rules(path, rules_of_objects, words) for words in (str, tr))
         assert worded.name != rules.name
         assert worded.kept_source != rules.kept_source
         assert [rule.limit for rule in worded.rules] == [rule.limit for rule in rules.rules]
         assert all(new.source != old.source for new, old in zip(worded.rules, rules.rules))
     for path in ready_rule_files().values():
-        assert in_users_language(load_rules(path)).name.startswith("specyfikacja JRC")
+        assert load_rules(path, tr).name.startswith("specyfikacja JRC")
 
 
 def test_a_contracts_own_words_stay(polish: None) -> None:
-    rules = load_rules(next(iter(ready_rule_files().values())))
-    contract = replace(rules, name="Umowa 12/2026 {x}")
-    assert in_users_language(contract).name == contract.name
+    assert RuleObject({"name": "Umowa 12/2026 {x}"}, "a.json", RULES_PLACE(), tr).name() == "Umowa 12/2026 {x}"
 
 
 def test_the_ready_model_speaks_polish(polish: None, provider: QgsProcessingProvider) -> None:

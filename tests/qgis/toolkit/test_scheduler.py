@@ -161,7 +161,7 @@ def test_a_scheduler_without_workers_gets_a_sentence(scene: Scene) -> None:
 
     with LocalCluster(n_workers=0, processes=False, dashboard_address=":0") as empty:
         outcome = inspect(scene, SCHEDULER=empty.scheduler_address)
-    assert_sentence(outcome.complaint, "has no workers, or none that answers; start some, or give no scheduler")
+    assert_sentence(outcome.complaint, "has no workers that answer; start some, or give no scheduler")
 
 
 def test_without_dask_a_scheduler_gets_a_sentence(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:

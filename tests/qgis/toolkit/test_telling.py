@@ -7,7 +7,7 @@ from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.errors import Level, Message
 from seam_inspector.plugin.toolkit.algorithms.base import SeamInspectorAlgorithm
 from seam_inspector.plugin.toolkit.algorithms.run import Run
-from seam_inspector.plugin.toolkit.desk.message_bar import bar_level, brief_words, write_log
+from seam_inspector.plugin.toolkit.desk.tool_dock import bar_level, brief_words, write_log
 
 from tests.qgis.runs import Log
 

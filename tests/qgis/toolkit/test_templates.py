@@ -11,13 +11,13 @@ from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem
 from seam_inspector.plugin.imagery.errors import printable
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.toolkit.pages.picture_files import encoded
 from seam_inspector.plugin.toolkit.pages.templates import (
     HowMeasured,
     each_raster,
     environment,
     measured_raster,
 )
+from seam_inspector.plugin.toolkit.pictures import encoded
 
 from tests.pages import outline
 

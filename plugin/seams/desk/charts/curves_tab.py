@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QSplitter, QWidget
 
 from ....imagery.limits import judged_band
 from ....toolkit.charts.chart_style import PAPER
-from ....toolkit.desk.chart_panel import ChartPanel
+from ....toolkit.desk.theme import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
 from ...charts.curves_painter import Chart, ChartCurve, window_curves

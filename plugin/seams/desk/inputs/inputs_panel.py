@@ -15,8 +15,7 @@ from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QSizePolicy, QVB
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import WARNING, SettingsError
 from ....toolkit.connections import Connections
-from ....toolkit.desk.layer_box import LayerBox, vectors_without
-from ....toolkit.desk.widgets import SummaryBox, single_shot
+from ....toolkit.desk.widgets import LayerBox, SummaryBox, single_shot, vectors_without
 from ....toolkit.layers import other_systems
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, shown_metres, tr

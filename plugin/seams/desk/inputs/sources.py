@@ -22,9 +22,8 @@ from qgis.PyQt.QtWidgets import (
 
 from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, extents_meet
-from ....toolkit.desk.layer_box import missing_text
 from ....toolkit.desk.theme import ReadableItems
-from ....toolkit.desk.widgets import plain_tip
+from ....toolkit.desk.widgets import missing_text, plain_tip
 from ....toolkit.layers import box_extent, transformed_extent
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, tr

@@ -25,7 +25,7 @@ from ....imagery.raster_writer import WrittenBands, raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job
 from ....toolkit.connections import Connections
-from ....toolkit.desk.message_bar import bar_level
+from ....toolkit.desk.tool_dock import bar_level
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.project_settings import unmodified
 from ....toolkit.reference_systems import keep_system, reference_system

@@ -14,7 +14,7 @@ from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
-from ....toolkit.desk.message_bar import write_log
+from ....toolkit.desk.tool_dock import write_log
 from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure import messages

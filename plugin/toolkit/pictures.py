@@ -1,6 +1,6 @@
-"""The grey values that become black and white in pictures for the eye. Never band by band: colours stay as they are.
+"""Pictures for the eye: the grey values that become black and white, and picture files. No QGIS.
 
-What is measured is never touched.
+Never band by band: colours stay as they are. What is measured is never touched.
 """
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from enum import Enum
 from itertools import product
 
 import numpy as np
+from osgeo import gdal
 
+from ..imagery.gdal_calls import gdal_silenced, taken_from_memory
 from ..imagery.grids import PixelWindow
 from ..imagery.limits import LARGEST_VALUE
 from ..imagery.open_raster import OpenRaster
@@ -130,3 +132,17 @@ def to_bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
 def _starts(length: int) -> list[int]:
     """The starts of pieces that lie evenly along a side."""
     return sorted(set(np.linspace(0, max(0, length - _PIECE_PX), _PIECES, dtype=int).tolist()))
+
+
+def encoded(pixels: np.ndarray, driver: str, quality: int = 88) -> bytes:
+    """The bytes of a picture file, PNG or JPEG, of (rows, columns) or (rows, columns, 3) uint8."""
+    bands = np.moveaxis(np.atleast_3d(pixels), 2, 0)
+    path = f"/vsimem/report-{id(pixels)}"
+    with gdal_silenced():
+        memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), gdal.GDT_Byte)
+        for i, band in enumerate(bands, 1):
+            memory.GetRasterBand(i).WriteArray(np.ascontiguousarray(band))
+        options = [f"QUALITY={quality}"] if driver == "JPEG" else []
+        copy = gdal.GetDriverByName(driver).CreateCopy(path, memory, options=options)
+        copy = None  # noqa: F841 - closing the dataset writes the file
+        return taken_from_memory(path)
