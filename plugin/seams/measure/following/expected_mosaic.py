@@ -12,18 +12,20 @@ from functools import cached_property
 import numpy as np
 
 from ..compared_image import ComparedImage
-from ..seam_cells import UNKNOWN, present
+from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border, widened
 from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
-from .levelling import SQUARE_PX, Levelled, levelled, square_means
+from .levelling import SQUARE_PX, Levelled, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
+from .mixed_ground import mixed_filters
 from .placed_sources import PlacedSources
 from .source_filters import (
     FEWEST_PIXELS,
     UNFILTERED,
+    UNTOUCHED,
     Filters,
     cut_of,
     filtered,
@@ -193,7 +195,29 @@ class _Cutting:
         if filters is None:
             mosaic, *fine = self.sources.fine
             filters = find_filters(mosaic, dict(enumerate(fine)), in_tone, labels, _sure(labels, unmixed))
+            return self._mixed(_Cut(labels, in_tone, filters))
         return _Cut(labels, in_tone, filters)
+
+    def _mixed(self, cut: _Cut) -> _Cut:
+        """The cut with the tones and filters of two sources that are mixed nearly everywhere, if they are."""
+        labels, in_tone, filters = cut.labels, cut.in_tone, cut.filters
+        pair = sorted(in_tone, key=lambda i: -np.count_nonzero(labels == i))[:2]
+        if len(pair) < 2:
+            return cut
+        where = is_one_of(labels, pair)
+        for valid in (self.sources.mosaic.valid, *(self.sources.valid.get(i) for i in pair)):
+            where &= True if valid is None else valid
+        mosaic, *fine = self.sources.fine
+        images = {i: in_tone[i].gain * fine[i] for i in pair}
+        shown = cut_of(mosaic, {i: filters.applied(i, image) for i, image in images.items()}, labels)
+        mixed = mixed_filters(mosaic, list(images.values()), where, shown)
+        if mixed is None:
+            return cut
+        gain, taps = mixed
+        means = square_means(self.sources.mosaic.plane)
+        toned = {i: levelled_by(means, self.sources.planes[i], labels == i, gain * in_tone[i].gain) for i in pair}
+        by_source = {i: filters.taps.get(i, UNTOUCHED) for i in in_tone}
+        return _Cut(labels, {**in_tone, **toned}, Filters({**by_source, **dict(zip(pair, taps))}, False))
 
     def _most_likely(self, filters: Filters | None) -> LikelySource:
         """The most likely plane of every pixel, of those that are followed at first.
