@@ -245,7 +245,7 @@ class _Cutting:
 
     def _likely(self, shown: Mapping[int, np.ndarray], labels: np.ndarray, clear: np.ndarray) -> LikelySource:
         sources = self.sources
-        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed, sources.interpolated)
+        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed)
         return likely_source(fine, labels, clear, self.closeness.sampling)
 
 

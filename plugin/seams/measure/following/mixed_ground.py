@@ -29,7 +29,7 @@ _MIN_BLOCK = 0.5  # of a block's pixels that take part
 def mixed_filters(
     mosaic: np.ndarray, images: Sequence[np.ndarray], where: np.ndarray, cut: np.ndarray
 ) -> tuple[float, np.ndarray] | None:
-    """The gain of two images in the mosaic's tones, and taps (2, 5, 5); None where they are not mixed nearly everywhere.
+    """The gain of two images in the mosaic's tones, and taps (2, 5, 5); None where they aren't mixed nearly everywhere.
 
     ``mosaic``, ``images``, ``cut``: high-passed, (rows, columns) float32; ``where``, bool: the pixels that take part;
     ``cut``: what the images make of the mosaic each on its own side.
@@ -69,8 +69,9 @@ def _left_over(mosaic: np.ndarray, made: np.ndarray, where: np.ndarray) -> float
 
 
 def _first_weights(planes: Sequence[np.ndarray], enough: np.ndarray) -> tuple[np.ndarray, float]:
-    """The weight of the first image in every block of the mosaic, (block rows, block columns) float32, 0 to 1; and that
-    which the lesser one has in three of four, 0 without any block that has ``enough`` of both. ``planes``: the mosaic, then the images."""
+    """The weight of the first image in every block of the mosaic, (block rows, block columns) float32, 0 to 1; and what
+    the lesser one has at least in three of four, 0 without any block that has ``enough`` of both. ``planes``: the
+    mosaic, then the images."""
     ma, mb, aa, ab, bb = (
         square_sums(planes[i], planes[j], BLOCK_PX).astype(np.float64)
         for i, j in ((0, 1), (0, 2), (1, 1), (1, 2), (2, 2))

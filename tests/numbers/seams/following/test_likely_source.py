@@ -78,7 +78,7 @@ def test_a_part_from_no_given_source_is_found(side: int) -> None:
     unexplained = found_in(mosaic, [first, second]).unexplained
     inside = np.zeros(SHAPE, bool)
     inside[gap] = True
-    assert unexplained[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.98
+    assert unexplained[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.97  # cells of 8 px
     assert unexplained[~inside].mean() < 0.025  # told by squares of 36 px
     assert unexplained.mean() == pytest.approx(inside.mean(), rel=0.35 if side == 64 else 0.2)
 
