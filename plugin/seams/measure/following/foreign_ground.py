@@ -93,8 +93,9 @@ def foreign_ground(sums: CellSums, is_compressed: IsCompressed, is_window: bool)
 
 def foreign_patches(
     energy: np.ndarray, left_over: np.ndarray, labels: np.ndarray, is_compressed: IsCompressed
-) -> np.ndarray:
-    """The patches of a scan that no source explains, (rows, columns) bool.
+) -> tuple[np.ndarray, np.ndarray]:
+    """The patches of a scan that no source explains, (rows, columns) bool, and those that none explains as well as
+    others are.
 
     ``energy``: of the mosaic's fine detail, 0 where nothing can be told; ``left_over``: by its sources; ``labels``: the
     source that each follows.
@@ -106,14 +107,16 @@ def foreign_patches(
         followed = textured & (labels == number)
         if np.count_nonzero(followed) >= _FEWEST_PATCHES:
             at, middle, scatter = _by_energy(logs[followed], z[followed])
-            expected = np.interp(logs, at, middle)
+            # Half of the patches, those of weak detail, may be of another image; of stronger detail no less is left.
+            left = np.minimum.accumulate(((1 - np.tanh(middle) ** 2) * np.exp(at))[::-1])[::-1]
+            expected = np.interp(logs, at, _fisher(1 - left / np.exp(at)))
             fits[number] = _Fit(expected, np.interp(logs, at, scatter), float(np.quantile(expected[followed], 0.8)))
     true = _true_sources(fits, is_compressed)
     if not true:
-        return np.zeros_like(textured)
+        return np.zeros_like(textured), np.zeros_like(textured)
     expected, scatter = _assigned(labels, fits, true)
-    chance = _normal(1 - _FALSE_ALARM / energy.size)
-    return np.asarray(textured & (z < expected - chance * scatter) & (z < (expected + _fisher(1 - _STRANGER)) / 2))
+    unlikely = textured & (z < expected - _normal(1 - _FALSE_ALARM / energy.size) * scatter)
+    return unlikely & (z < (expected + _fisher(1 - _STRANGER)) / 2), unlikely & (z < _alike(expected))
 
 
 @dataclass(frozen=True, eq=False)
