@@ -19,7 +19,7 @@ from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_com
 from .followed_source import high_pass
 from .levelling import SQUARE_PX, Levelled, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
-from .meeting import by_shares, mixed_shares, where_several_meet
+from .meeting import mixed_shares, where_several_meet
 from .mixed_ground import mixed_filters
 from .placed_sources import PlacedSources
 from .source_filters import (
@@ -122,7 +122,6 @@ def expected_mosaic(
         if near is not None:
             fine = {i: high_pass(plane) for i, plane in shown.items()}
             shares = mixed_shares(sources.fine[0], fine, labels, near)
-            labels = by_shares(labels, shares)
         labels = smooth_border(labels)
     plane = unfiltered = cut_of(mosaic, toned, labels)
     if sources.moves:  # to be moved by parts of a pixel costs detail as well
