@@ -107,9 +107,12 @@ def foreign_patches(
         followed = textured & (labels == number)
         if np.count_nonzero(followed) >= _FEWEST_PATCHES:
             at, middle, scatter = _by_energy(logs[followed], z[followed])
-            # Half of the patches, those of weak detail, may be of another image; of stronger detail no less is left.
-            left = np.minimum.accumulate(((1 - np.tanh(middle) ** 2) * np.exp(at))[::-1])[::-1]
-            expected = np.interp(logs, at, _fisher(1 - left / np.exp(at)))
+            # Of weaker detail no more is left over: half of the patches, all weak, may be of another image. And rounding
+            # leaves as much of what is weaker than most as of that.
+            energies = np.exp(at)
+            left = np.minimum.accumulate(((1 - np.tanh(middle) ** 2) * energies)[::-1])[::-1]
+            share = np.interp(logs, at, left / energies) * np.maximum(energies[0] / np.maximum(energy, 1e-3), 1)
+            expected = _fisher(1 - share)
             fits[number] = _Fit(expected, np.interp(logs, at, scatter), float(np.quantile(expected[followed], 0.8)))
     true = _true_sources(fits, is_compressed)
     if not true:
