@@ -30,7 +30,6 @@ NOISE_CELL_PX = 8
 _NARROW = 3  # the same: 24 px, for strips of noise where there is no codec's
 _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
 _CLEAN, _LARGE = 13, 27  # the same: 104 px where nothing was compressed, and 216 px, in which chance alone is asked
-_KNOWN = 0.6  # of a part that those find: with more found by strangers it is theirs
 _BORDERS, _UNTOLD = (3, 7, 13, 27), 0.1  # the same, by which borders are told; of a part, that need not be told by them
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
 _ALIKE = 0.05  # of what is explained elsewhere, that an image which resembles the true one leaves over
@@ -107,7 +106,7 @@ def foreign_patches(
         followed = textured & (labels == number)
         if np.count_nonzero(followed) >= _FEWEST_PATCHES:
             at, middle, scatter = _by_energy(logs[followed], z[followed])
-            # Of weaker detail no more is left over: half of the patches, all weak, may be of another image. And rounding
+            # Of weaker detail no more is left over: half of the patches, all weak, may be of another image. Rounding
             # leaves as much of what is weaker than most as of that.
             energies = np.exp(at)
             left = np.minimum.accumulate(((1 - np.tanh(middle) ** 2) * energies)[::-1])[::-1]
@@ -177,8 +176,8 @@ class _NoiseCells:
         return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen, sources)
 
     def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
-        """What squares of any size find, (rows, columns) bool; where strangers were found in most of a part whose
-        image resembles the true one, it ends as they do."""
+        """What squares of any size find, (rows, columns) bool; parts of images that resemble the true one count where
+        they reach far beyond strangers, whose borders are known better."""
         clean = not is_compressed(None)
         strangers, resembling = ((_NARROW, *_WIDE), (_CLEAN, _LARGE)) if clean else (_WIDE, (_LARGE,))
         sides = {side for side in (*strangers, *resembling) if side <= min(self.energy.shape)}
@@ -187,11 +186,9 @@ class _NoiseCells:
         for side in sides.intersection(strangers):
             foreign |= squares[side].foreign(is_compressed, is_window, False)
         for side in sides.intersection(resembling):
-            parts, _ = ndimage.label(squares[side].foreign(is_compressed, is_window, True))
-            sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[foreign]))
-            is_new = known < _KNOWN * sizes
-            is_new[0] = False
-            foreign = foreign | is_new[parts]
+            alike = squares[side].foreign(is_compressed, is_window, True)
+            beyond = opened(alike & ~widened(foreign, side // 2), side // 4)  # more than their squares blur a border by
+            foreign = foreign | ndimage.binary_propagation(beyond, mask=alike)
         return foreign
 
 
