@@ -19,7 +19,7 @@ from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_com
 from .followed_source import high_pass
 from .levelling import SQUARE_PX, Levelled, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
-from .meeting import mixed_shares, where_several_meet
+from .meeting import by_shares, mixed_shares, where_several_meet
 from .mixed_ground import mixed_filters
 from .placed_sources import PlacedSources
 from .source_filters import (
@@ -34,6 +34,8 @@ from .source_filters import (
 )
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
+MIN_LEFT_MIXED = 0.01  # of the fine detail, that an image leaves over where it is followed, for it to be mixed there
+MIN_MIXED_SHARE = 0.25  # of the pixels, that two images have which are mixed
 _ROUNDS = 3
 _SETTLED = 0.005  # of the pixels: what changes less is settled
 _UNSURE_PX = 12  # from a border that is not settled
@@ -122,6 +124,7 @@ def expected_mosaic(
         if near is not None:
             fine = {i: high_pass(plane) for i, plane in shown.items()}
             shares = mixed_shares(sources.fine[0], fine, labels, near)
+            labels = by_shares(labels, shares)
         labels = smooth_border(labels)
     plane = unfiltered = cut_of(mosaic, toned, labels)
     if sources.moves:  # to be moved by parts of a pixel costs detail as well
@@ -200,16 +203,21 @@ class _Cutting:
     def _mixed(self, cut: _Cut) -> _Cut:
         """The cut with the tones and filters of two sources that are mixed nearly everywhere, if they are."""
         labels, in_tone, filters = cut.labels, cut.in_tone, cut.filters
-        pair = sorted(in_tone, key=lambda i: -np.count_nonzero(labels == i))[:2]
-        if len(pair) < 2:
+        mosaic, *fine = self.sources.fine
+        images = {i: source.gain * fine[i] for i, source in in_tone.items()}
+        shown = cut_of(mosaic, {i: filters.applied(i, image) for i, image in images.items()}, labels)
+        energy, rest = np.square(mosaic), np.square(mosaic - shown)
+        counts = {
+            i: int(np.count_nonzero(labels == i)) for i in in_tone
+            if rest[labels == i].sum() > MIN_LEFT_MIXED * energy[labels == i].sum()
+        }
+        pair = sorted(counts, key=lambda i: -counts[i])[:2]
+        if len(pair) < 2 or sum(counts[i] for i in pair) < MIN_MIXED_SHARE * labels.size:
             return cut
         where = is_one_of(labels, pair)
         for valid in (self.sources.mosaic.valid, *(self.sources.valid.get(i) for i in pair)):
             where &= True if valid is None else valid
-        mosaic, *fine = self.sources.fine
-        images = {i: in_tone[i].gain * fine[i] for i in pair}
-        shown = cut_of(mosaic, {i: filters.applied(i, image) for i, image in images.items()}, labels)
-        mixed = mixed_filters(mosaic, list(images.values()), where, shown)
+        mixed = mixed_filters(mosaic, [images[i] for i in pair], where, shown)
         if mixed is None:
             return cut
         gain, taps = mixed

@@ -8,7 +8,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from .boxes import box_means, in_squares, square_sums, widened
+from ..seam_cells import UNKNOWN
+from .boxes import box_means, enlarged, in_squares, square_sums, widened
 from .source_filters import cut_of
 
 SQUARE_PX = 8
@@ -17,6 +18,7 @@ REACH_PX = 128
 
 _SQUARES = 5  # a side that are looked at together
 _MOST_LEFT = 0.8  # of what each source on its own side leaves over, for all of them to be mixed
+_MOST_OF_ONE, _LEAST_THIRD = 0.6, 0.1  # shares where that which leaves least over need not be the greatest
 _RIDGE, _LEAST_ENERGY = 1e-3, 1e-6  # so that weights are known of what has no detail
 
 
@@ -57,6 +59,19 @@ def mixed_shares(
     shares = np.zeros(near.shape, np.float32)
     shares[:, meet] = (weights / np.maximum(weights.sum(axis=1, keepdims=True), _LEAST_ENERGY)).T
     return dict(zip(sources, shares))
+
+
+def by_shares(labels: np.ndarray, shares: Mapping[int, np.ndarray]) -> np.ndarray:
+    """Labels (rows, columns) of the source that there is most of, where three are mixed and none is most of the mosaic:
+    there a weak source leaves less over than that which is followed."""
+    numbers, several = list(shares), np.stack(list(shares.values()))
+    ordered = np.sort(several, axis=0)
+    where = (ordered[-1] < _MOST_OF_ONE) & (ordered[-3] > _LEAST_THIRD)
+    if not where.any():
+        return labels
+    most = np.array(numbers, np.uint8)[several.argmax(axis=0)]
+    mixed = enlarged(where, SQUARE_PX, labels.shape) & (labels != UNKNOWN)
+    return np.where(mixed, enlarged(most, SQUARE_PX, labels.shape), labels)
 
 
 def _around(a: np.ndarray, b: np.ndarray) -> np.ndarray:
