@@ -11,7 +11,6 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery.wavelets import placed_components
-from ..following.best_ground import learn_best_ground
 from ..following.boxes import enlarged, in_squares, opened
 from ..following.compression import IsCompressed, compressed_sides, was_compressed
 from ..following.expected_mosaic import mosaic_of
@@ -41,9 +40,6 @@ PATCH_START_PX = 36
 """Its first pixel in its square: its middle cell of 16 px is one of the block's."""
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
-MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely another image
-MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that fewer places tell of
-_ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
 _KNOWN = slice(6, 34)  # of a patch: what a filter may be learned from
 _CELL = slice(12, 12 + CELL_PX)  # of a patch: its middle
@@ -144,18 +140,10 @@ class _Patches:
 
     def strangers(self, is_compressed: IsCompressed) -> np.ndarray:
         """bool: of an image that isn't given, where so much lies together that it is no chance; where nothing was
-        compressed, by the best ground of all sources, one that a given one resembles as well."""
-        if is_compressed(None):
-            foreign = foreign_patches(self.energy, self.left_over, self.source, is_compressed)
-            return opened(foreign & ~self.doubtful, _STRANGE_SQUARES)
-        textured = self.energy > 0
-        ground = learn_best_ground(self.energy[textured], self.left_over[textured])
-        if ground is None or ground.is_of_none():  # there are too few patches to condemn a whole block
-            return np.zeros_like(textured)
-        energy = np.where(textured, self.energy, 1)
-        strange, alike = ground.strangeness(energy, self.left_over, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
-        surely = opened(textured & (strange > MIN_STRANGE) & ~self.doubtful, _STRANGE_SQUARES)
-        return textured & (surely | opened(textured & alike, _ALIKE_SQUARES))
+        compressed also one that a given one resembles."""
+        foreign, alike = foreign_patches(self.energy, self.left_over, self.source, is_compressed)
+        strangers = opened(foreign & ~self.doubtful, _STRANGE_SQUARES)
+        return strangers if is_compressed(None) else strangers | opened(alike, _STRANGE_SQUARES)
 
     def without(self, strangers: np.ndarray) -> _Patches:
         """Patches that follow none."""

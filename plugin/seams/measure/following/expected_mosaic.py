@@ -12,18 +12,20 @@ from functools import cached_property
 import numpy as np
 
 from ..compared_image import ComparedImage
-from ..seam_cells import UNKNOWN, present
+from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border, widened
 from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
-from .levelling import SQUARE_PX, Levelled, levelled, square_means
+from .levelling import SQUARE_PX, Levelled, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
+from .mixed_ground import mixed_filters
 from .placed_sources import PlacedSources
 from .source_filters import (
     FEWEST_PIXELS,
     UNFILTERED,
+    UNTOUCHED,
     Filters,
     cut_of,
     filtered,
@@ -32,6 +34,8 @@ from .source_filters import (
 )
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
+MIN_LEFT_MIXED = 0.01  # of the fine detail, that an image leaves over where it is followed, for it to be mixed there
+MIN_MIXED_SHARE = 0.25  # of the pixels, that two images have which are mixed
 _ROUNDS = 3
 _SETTLED = 0.005  # of the pixels: what changes less is settled
 _UNSURE_PX = 12  # from a border that is not settled
@@ -193,7 +197,34 @@ class _Cutting:
         if filters is None:
             mosaic, *fine = self.sources.fine
             filters = find_filters(mosaic, dict(enumerate(fine)), in_tone, labels, _sure(labels, unmixed))
+            return self._mixed(_Cut(labels, in_tone, filters))
         return _Cut(labels, in_tone, filters)
+
+    def _mixed(self, cut: _Cut) -> _Cut:
+        """The cut with the tones and filters of two sources that are mixed nearly everywhere, if they are."""
+        labels, in_tone, filters = cut.labels, cut.in_tone, cut.filters
+        mosaic, *fine = self.sources.fine
+        images = {i: source.gain * fine[i] for i, source in in_tone.items()}
+        shown = cut_of(mosaic, {i: filters.applied(i, image) for i, image in images.items()}, labels)
+        energy, rest = np.square(mosaic), np.square(mosaic - shown)
+        counts = {
+            i: int(np.count_nonzero(labels == i)) for i in in_tone
+            if rest[labels == i].sum() > MIN_LEFT_MIXED * energy[labels == i].sum()
+        }
+        pair = sorted(counts, key=lambda i: -counts[i])[:2]
+        if len(pair) < 2 or sum(counts[i] for i in pair) < MIN_MIXED_SHARE * labels.size:
+            return cut
+        where = is_one_of(labels, pair)
+        for valid in (self.sources.mosaic.valid, *(self.sources.valid.get(i) for i in pair)):
+            where &= True if valid is None else valid
+        mixed = mixed_filters(mosaic, [images[i] for i in pair], where, shown)
+        if mixed is None:
+            return cut
+        gain, taps = mixed
+        means = square_means(self.sources.mosaic.plane)
+        toned = {i: levelled_by(means, self.sources.planes[i], labels == i, gain * in_tone[i].gain) for i in pair}
+        by_source = {i: filters.taps.get(i, UNTOUCHED) for i in in_tone}
+        return _Cut(labels, {**in_tone, **toned}, Filters({**by_source, **dict(zip(pair, taps))}, False))
 
     def _most_likely(self, filters: Filters | None) -> LikelySource:
         """The most likely plane of every pixel, of those that are followed at first.
@@ -221,7 +252,7 @@ class _Cutting:
 
     def _likely(self, shown: Mapping[int, np.ndarray], labels: np.ndarray, clear: np.ndarray) -> LikelySource:
         sources = self.sources
-        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed, sources.interpolated)
+        fine = FineDetail(sources.fine[0], shown, sources.valid, self.is_compressed)
         return likely_source(fine, labels, clear, self.closeness.sampling)
 
 

@@ -20,23 +20,28 @@ import numpy as np
 from scipy import ndimage
 
 from ..seam_cells import present
-from .best_ground import MIN_ALIKE_STRANGE
-from .boxes import box_means, narrowed, near_border, opened, widened
+from .boxes import box_means, enlarged, narrowed, near_border, opened, widened
 from .compression import IsCompressed
 from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
 
 NOISE_CELL_PX = 8
 """Side of the cells that noise is learned in: as large as the blocks of JPEG, which makes it block by block."""
 
+_NARROW = 3  # the same: 24 px, for strips of noise where there is no codec's
 _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
-_LARGE, _HALF = 27, 13  # the same: 216 px, in which chance alone is asked, and half of that
+_CLEAN, _LARGE = 13, 27  # the same: 104 px where nothing was compressed, and 216 px, in which chance alone is asked
 _BORDERS, _UNTOLD = (3, 7, 13, 27), 0.1  # the same, by which borders are told; of a part, that need not be told by them
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
+_ALIKE = 0.05  # of what is explained elsewhere, that an image which resembles the true one leaves over
 _STRANGER = 0.8  # share that another image of the same ground leaves over, 1 - rho^2
 _MIN_TRUE = 0.55  # share explained of strong detail, of which JPEG at quality 60 leaves 0.6: with less a substitute
 _MIN_TRUE_MIXED = 0.35  # the same of ground where two are mixed, each of which brings its noise
-_OF_BEST = 0.6  # of the z of the best source: with less one is a substitute, unless compression took what it lacks
-_MIXED_OF_BEST = 0.75  # the same of ground where two are mixed
+_EVEN_LEFT, _EVEN_SLOPE = 0.2, -0.15
+"""Share that a substitute for the true image leaves over of strong detail, and its logarithm's slope by that of the
+energy: noise grows less than detail does, what an image lacks is an even share of it."""
+_OF_BEST = 0.7  # of the z of the best source: with less one is a substitute, unless compression took what it lacks
+_EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: many cells leave so much
+_LINE = 2.5  # cells that a line runs through, across itself
 _MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and that sum, of ground that is mixed
 _OF_MIXED = 254  # number of mixed ground: what is left over there is learned apart
 _MIN_PART = 0.02  # of the ground: smaller parts are not reported
@@ -73,22 +78,23 @@ class CellSums:
 
 
 def foreign_ground(sums: CellSums, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
-    """Cells of 8 px that no source and no mixture of two explains, (rows, columns) bool.
+    """Cells that no source and no mixture of two explains, (rows, columns) bool as those of the sums.
 
     ``is_window``: whether all of the ground may be foreign; a part of a scan has too little to say that.
     """
     cells = _NoiseCells.of(sums, {})
     foreign = cells.foreign(is_compressed, is_window)
-    if len(sums.energies) == 1 or not foreign.any():
-        return foreign
-    pairs = {pair: sums.between(*pair) for pair in combinations(sums.energies, 2)}
-    return _NoiseCells.of(sums, pairs).foreign(is_compressed, is_window)
+    if len(sums.energies) > 1 and foreign.any():
+        pairs = {pair: sums.between(*pair) for pair in combinations(sums.energies, 2)}
+        foreign = _NoiseCells.of(sums, pairs).foreign(is_compressed, is_window)
+    return enlarged(foreign, NOISE_CELL_PX // CELL_PX, sums.mosaic.shape)
 
 
 def foreign_patches(
     energy: np.ndarray, left_over: np.ndarray, labels: np.ndarray, is_compressed: IsCompressed
-) -> np.ndarray:
-    """The patches of a scan that no source explains, (rows, columns) bool.
+) -> tuple[np.ndarray, np.ndarray]:
+    """The patches of a scan that no source explains, (rows, columns) bool, and those that none explains as well as
+    others are.
 
     ``energy``: of the mosaic's fine detail, 0 where nothing can be told; ``left_over``: by its sources; ``labels``: the
     source that each follows.
@@ -100,14 +106,19 @@ def foreign_patches(
         followed = textured & (labels == number)
         if np.count_nonzero(followed) >= _FEWEST_PATCHES:
             at, middle, scatter = _by_energy(logs[followed], z[followed])
-            expected = np.interp(logs, at, middle)
+            # Of weaker detail no more is left over: half of the patches, all weak, may be of another image. Rounding
+            # leaves as much of what is weaker than most as of that.
+            energies = np.exp(at)
+            left = np.minimum.accumulate(((1 - np.tanh(middle) ** 2) * energies)[::-1])[::-1]
+            share = np.interp(logs, at, left / energies) * np.maximum(energies[0] / np.maximum(energy, 1e-3), 1)
+            expected = _fisher(1 - share)
             fits[number] = _Fit(expected, np.interp(logs, at, scatter), float(np.quantile(expected[followed], 0.8)))
     true = _true_sources(fits, is_compressed)
     if not true:
-        return np.zeros_like(textured)
+        return np.zeros_like(textured), np.zeros_like(textured)
     expected, scatter = _assigned(labels, fits, true)
-    chance = _normal(1 - _FALSE_ALARM / energy.size)
-    return np.asarray(textured & (z < expected - chance * scatter) & (z < (expected + _fisher(1 - _STRANGER)) / 2))
+    unlikely = textured & (z < expected - _normal(1 - _FALSE_ALARM / energy.size) * scatter)
+    return unlikely & (z < (expected + _fisher(1 - _STRANGER)) / 2), unlikely & (z < _alike(expected))
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,6 +130,8 @@ class _Fit:
     scatter: np.ndarray | float
     strong: float
     """What is explained of strong detail."""
+    is_even: bool = False
+    """Whether what is left over is an even share of weak and strong detail: of an image that is not given."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,16 +176,20 @@ class _NoiseCells:
         return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen, sources)
 
     def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
-        """What squares of any size find, (rows, columns) bool; parts of the largest of which smaller ones found the
-        most end as those have it."""
-        sides = [side for side in (*_WIDE, _LARGE) if min(self.energy.shape) >= side]
-        each = {side: _Squares.of(self, side).foreign(is_compressed, is_window) for side in sides}
-        parts, _ = ndimage.label(each.pop(_LARGE, np.zeros_like(self.border)))
-        foreign = np.logical_or.reduce([np.zeros_like(self.border), *each.values()])
-        sizes, known = (np.bincount(of.ravel(), minlength=int(parts.max()) + 1) for of in (parts, parts[foreign]))
-        is_new = 2 * known < sizes
-        is_new[0] = False
-        return np.asarray(foreign | is_new[parts])
+        """What squares of any size find, (rows, columns) bool; parts of images that resemble the true one count where
+        they reach far beyond strangers, whose borders are known better."""
+        clean = not is_compressed(None)
+        strangers, resembling = ((_NARROW, *_WIDE), (_CLEAN, _LARGE)) if clean else (_WIDE, (_LARGE,))
+        sides = {side for side in (*strangers, *resembling) if side <= min(self.energy.shape)}
+        squares = {side: _Squares.of(self, side) for side in sides}
+        foreign = np.zeros_like(self.border)
+        for side in sides.intersection(strangers):
+            foreign |= squares[side].foreign(is_compressed, is_window, False)
+        for side in sides.intersection(resembling):
+            alike = squares[side].foreign(is_compressed, is_window, True)
+            beyond = opened(alike & ~widened(foreign, side // 2), side // 4)  # more than their squares blur a border by
+            foreign = foreign | ndimage.binary_propagation(beyond, mask=alike)
+        return foreign
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,6 +206,8 @@ class _Squares:
     """Share explained, on Fisher's scale."""
     textured: np.ndarray
     """bool: what can be told at all."""
+    even: np.ndarray
+    """bool: where so much is left over in many cells."""
 
     @classmethod
     def of(cls, cells: _NoiseCells, side: int) -> _Squares:
@@ -196,14 +215,17 @@ class _Squares:
         total, energy, left_over = _box_means((counted, cells.energy * counted, cells.left_over * counted), side)
         energy, left_over = np.maximum(energy / total, 1e-3), np.maximum(left_over / total, 1e-4)
         z = _fisher(1 - left_over / energy)
-        return cls(cells, side, counted, energy, z, (energy > _LEAST) & cells.seen)
+        # A step of tones leaves over much along a line, and nothing beside that.
+        much = cells.left_over * energy >= _EVEN_PART * left_over * cells.energy
+        is_even = box_means(much, (side,))[0] >= max(_EVEN_SHARE, _LINE / side)
+        return cls(cells, side, counted, energy, z, (energy > _LEAST) & cells.seen, is_even)
 
-    def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
-        """Cells of foreign parts, (rows, columns) bool."""
+    def foreign(self, is_compressed: IsCompressed, is_window: bool, is_alike: bool) -> np.ndarray:
+        """Cells of foreign parts, (rows, columns) bool; ``is_alike``: of images that resemble the true one, too."""
         cells, stranger, nothing = self.cells, _fisher(1 - _STRANGER), np.zeros_like(self.textured)
-        is_large, opening = self.side == _LARGE, _HALF if self.side == _LARGE else self.side - 2
+        opening = self.side // 2 if is_alike else max(self.side - 2, 2)
         chance = _normal(1 - _FALSE_ALARM / max(cells.energy.size / self.side**2, 1))
-        highest = _fisher(1.0) - chance * _LEAST_SCATTER if is_large else (_fisher(1.0) + stranger) / 2
+        highest = _fisher(1.0) - chance * _LEAST_SCATTER if is_alike else (_fisher(1.0) + stranger) / 2
         if not opened(self.textured & (self.z < highest), opening).any():
             return nothing  # whatever is expected
         noise = self._noise()
@@ -214,9 +236,8 @@ class _Squares:
         if sum(number in noise for number in cells.sources) > 1:
             fits = {number: self._fit(number, noise, true) for number in true}
         expected, scatter = _assigned(cells.labels, fits, true)
-        alike = _fisher((1 - MIN_ALIKE_STRANGE) * np.tanh(expected) ** 2)
-        limit = alike if is_large else (expected + stranger) / 2
-        parts = opened(self.textured & (self.z < expected - chance * scatter) & (self.z < limit), opening)
+        limit = _alike(expected) if is_alike else (expected + stranger) / 2
+        parts = opened(self.textured & self.even & (self.z < expected - chance * scatter) & (self.z < limit), opening)
         return self._to_borders(parts, expected)
 
     def _noise(self) -> dict[int, Callable[[np.ndarray], np.ndarray]]:
@@ -239,6 +260,11 @@ class _Squares:
         """What is explained where a source is followed; at least the noise of the ``mixed`` ones is left over."""
         cells = self.cells
         followed = self.textured & (cells.labels == number)
+        weak, strong = np.quantile(cells.energy[followed], (0.1, 0.9))
+        weak_left, strong_left = noise[number](np.array([weak, strong])).tolist()
+        is_even = strong_left > _EVEN_LEFT and (
+            np.log(strong_left / weak_left) > _EVEN_SLOPE * max(np.log(strong / weak), 0.2)
+        )
         left_over = noise[number](cells.energy) * cells.energy
         brought = np.zeros_like(left_over)
         for source, (energy, weight) in cells.sources.items():
@@ -259,7 +285,7 @@ class _Squares:
         if len(likely) >= _FEWEST_CELLS // 2:
             middle, high = np.quantile(likely, (0.5, 0.9))
             scatter = min(scatter, max((high - middle) / _normal(0.9), _LEAST_SCATTER))
-        return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)))
+        return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)), bool(is_even))
 
     def _to_borders(self, parts_found: np.ndarray, expected: np.ndarray) -> np.ndarray:
         """Parts that squares found up to where half of a smaller one is within them, by correlation: the smallest that
@@ -276,7 +302,7 @@ class _Squares:
                 break
         near = widened(parts_found, self.side) & self.textured & (part > half)
         near = narrowed(widened(near, 1), 1) & self.textured
-        parts_found = opened(ndimage.binary_propagation(parts_found & near, mask=near), min(side, _HALF))
+        parts_found = opened(ndimage.binary_propagation(parts_found & near, mask=near), min(side, _LARGE // 2))
         parts, _ = ndimage.label(parts_found)
         sizes = np.bincount(parts.ravel())
         sizes[0] = 0
@@ -329,6 +355,11 @@ def _fisher(share: np.ndarray | float) -> np.ndarray:
     return np.asarray(np.arctanh(np.sqrt(np.clip(share, 0, _MOST_EXPLAINED))))
 
 
+def _alike(expected: np.ndarray) -> np.ndarray:
+    """What an image that resembles the true one explains at most, on Fisher's scale."""
+    return _fisher((1 - _ALIKE) * np.tanh(expected) ** 2)
+
+
 def _by_energy(logs: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What is explained by the logarithm of the energy, with its scatter, of the better explained half of the ground:
     log energies, z and scatter of some bins. Of stronger detail no less is explained."""
@@ -352,13 +383,14 @@ def _share_left(energy: np.ndarray, left_over: np.ndarray) -> Callable[[np.ndarr
 
 def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list[int]:
     """Sources that are no substitutes for another image wherever they are followed."""
-    most = max((fit.strong for fit in fits.values()), default=0.0)
-    true = [
-        number for number, fit in fits.items()
-        if np.tanh(fit.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
-        and (fit.strong >= (_MIXED_OF_BEST if number == _OF_MIXED else _OF_BEST) * most
-             or is_compressed(None if number == _OF_MIXED else number))
-    ]
+    most, true = max((fit.strong for fit in fits.values()), default=0.0), []
+    for number, fit in fits.items():
+        if is_compressed(None if number == _OF_MIXED else number):
+            is_true = np.tanh(fit.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
+        else:
+            is_true = not fit.is_even and fit.strong >= _OF_BEST * most
+        if is_true:
+            true.append(number)
     # What is mixed with a substitute is one.
     return true if fits.keys() <= {*true, _OF_MIXED} else [number for number in true if number != _OF_MIXED]
 

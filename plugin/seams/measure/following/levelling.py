@@ -53,9 +53,14 @@ def levelled(
     if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
         where = square_means(followed) > _MIN_FOLLOWED
     gains = gain_field(mosaic_means, square_means(source), where, patch)
+    return levelled_by(mosaic_means, source, followed, to_pixels(gains, source.shape))
+
+
+def levelled_by(mosaic_means: np.ndarray, source: np.ndarray, followed: np.ndarray, gain: np.ndarray) -> Levelled:
+    """A source's plane in the mosaic's grey values where its ``gain``, (rows, columns), is known."""
     # A square that two sources share tells neither's tone.
-    bias = _spread_out(mosaic_means - gains * square_means(source), square_means(followed))
-    plane, gain = to_pixels(bias, source.shape), to_pixels(gains, source.shape)
+    bias = _spread_out(mosaic_means - square_means(gain) * square_means(source), square_means(followed))
+    plane = to_pixels(bias, source.shape)
     plane += gain * source
     return Levelled(plane, gain)
 

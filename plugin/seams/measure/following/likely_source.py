@@ -6,7 +6,7 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
@@ -24,8 +24,7 @@ from .followed_source import (
     is_likelier,
     weights_of_two,
 )
-from .foreign_ground import CellSums
-from .unexplained import unexplained_cells
+from .foreign_ground import CellSums, foreign_ground
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
 MAX_EXPECTED = 0.7  # of what a stranger leaves over
@@ -86,8 +85,6 @@ class FineDetail:
     valid: Mapping[int, np.ndarray] = field(default_factory=dict)
     """(rows, columns) bool: pixels that a source has, of those that don't have all."""
     is_compressed: IsCompressed = lambda number: False
-    interpolated: Collection[int] = ()
-    """Sources that lie between the mosaic's pixels, which leave more over than others do."""
 
 
 def likely_source(
@@ -150,7 +147,7 @@ def likely_source(
         {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
         between,
     )
-    cells = unexplained_cells(sums, fine.is_compressed, fine.interpolated, sampling is FINE)
+    cells = foreign_ground(sums, fine.is_compressed, sampling is FINE)
     unexplained = enlarged(cells, times, followed.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])

@@ -16,7 +16,7 @@ from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN
 from .boxes import narrowed
 from .followed_source import HIGH_PASS_PX, FollowedSource, follow_planes, high_pass
-from .source_filters import LEAST_MOVED_PX, REACH_PX, UNFILTERED, Filters, filtered, fit_filter
+from .source_filters import REACH_PX, UNFILTERED, Filters, filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
@@ -63,12 +63,6 @@ class PlacedSources:
         valid = self.mosaic.valid
         clear = self.following.clear
         return clear if valid is None else clear & narrowed(valid, HIGH_PASS_PX + REACH_PX)
-
-    @property
-    def interpolated(self) -> set[int]:
-        """Planes that lie between the mosaic's pixels, or were moved."""
-        beside = {i for i, of in enumerate(self.source_of) if np.hypot(*self.images[of].offset) >= LEAST_MOVED_PX}
-        return beside.union(self.moves)
 
     def with_known(self, known: np.ndarray | None) -> PlacedSources:
         """These sources with labels that are known, numbers of sources, (rows, columns) uint8, else ``UNKNOWN``."""

@@ -23,7 +23,6 @@ from ....imagery.records import GEOMETRY, Column, Row, TableRows, kinds_of, rows
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, RowTotals, piece_state
 from .. import messages
 from ..following.likely_source import MIN_FIT
-from ..following.unexplained import MIN_TEXTURE
 from ..judgement.verdicts import Verdict, judge_profile
 from ..judgement.visibility import visibility
 from ..planning.window_placing import PlacedWindow, WindowIndex
@@ -35,6 +34,7 @@ from ..seamlines.seam_tracing import SourcePolygon
 MOST_GRAIN = 1.5 / 255
 """Rms of a source's finest detail, as a share of white: what sensors leave on even ground, and compression takes."""
 LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
+MIN_TEXTURE = 0.3  # of the energy that a source would have: with less its detail was brushed away
 
 
 @dataclass(frozen=True)

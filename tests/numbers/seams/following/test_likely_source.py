@@ -78,7 +78,7 @@ def test_a_part_from_no_given_source_is_found(side: int) -> None:
     unexplained = found_in(mosaic, [first, second]).unexplained
     inside = np.zeros(SHAPE, bool)
     inside[gap] = True
-    assert unexplained[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.98
+    assert unexplained[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.97  # cells of 8 px
     assert unexplained[~inside].mean() < 0.025  # told by squares of 36 px
     assert unexplained.mean() == pytest.approx(inside.mean(), rel=0.35 if side == 64 else 0.2)
 
@@ -110,7 +110,7 @@ def alike_planes(alike: float) -> list[np.ndarray]:
 @pytest.mark.parametrize("noise", [0.0, 1.0])
 @pytest.mark.parametrize("alike", [0.8, 0.9])
 def test_a_missing_image_of_a_triplet_is_not_taken_for_its_neighbours(alike: float, noise: float) -> None:
-    """What is left over is compared with the best ground: 0.2 to 0.35 where true sources leave 0.001 to 0.05."""
+    """What is left over is compared with other ground: 0.2 to 0.35 where true sources leave 0.001 to 0.05."""
     first, second, missing = alike_planes(alike)
     mosaic = cut_at(80, first, second)
     mosaic[:, 170:] = missing[:, 170:]

@@ -72,9 +72,19 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
         assert not sums[1:].any()
 
 
+def test_a_field_so_weak_that_rounding_tells_in_it_is_of_no_other_image(tmp_path: Path) -> None:
+    """Of its detail a tenth and more is left over, of all other ground a thousandth."""
+    weak = np.full(SHAPE, 1, np.float32)
+    weak[: 2 * SQUARE_PX, : 3 * SQUARE_PX] = 0.04
+    given = [as_bytes(120 + weak * (plane.astype(np.float32) - 120)) for plane in images(detail_dn=20.0)]
+    made = blended(*given, beside(SIDE / 2)) + np.random.default_rng(3).uniform(-1, 1, SHAPE)
+    look = look_at(scene(tmp_path, as_bytes(made), given))
+    assert not (look.source == UNKNOWN).any()
+
+
 @pytest.mark.parametrize("width", [0.0, 66.0])
 def test_images_of_a_triplet_are_not_taken_for_one_that_is_missing(tmp_path: Path, width: float) -> None:
-    """They have most of their fine detail in common; what the missing one leaves over is told by the best ground."""
+    """They have most of their fine detail in common; what the missing one leaves over is more than others do."""
     first, second, missing = images(count=3, detail_dn=6.0)
     common = 8 * texture(SHAPE, 0.8, 60)
     first, second, missing = (as_bytes(plane + common) for plane in (first, second, missing))
