@@ -8,13 +8,9 @@ import math
 from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
-from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.limits import (
-    MAX_SIGNIFICANT_KEPT,
-    MAX_SIGNIFICANT_SHARPNESS_SQUARED,
-    MIN_MISREGISTRATION_PX,
-    SHARPNESS_TOLERANCE,
-)
+from .measure.judgement.causes import Cause, causes_taken
+from .measure.judgement.loss_place import LossPlace
+from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
 from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
@@ -35,7 +31,7 @@ if TYPE_CHECKING:
 
 def judged_kept(row: WindowRecord) -> float | None:
     """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
-    is_by_seam = row.verdict == "preserved" or is_lost_along_the_seam(row)
+    is_by_seam = row.verdict == "preserved" or loss_place(row).is_along
     return row.kept_1 if row.reference == SEAM and is_by_seam else None
 
 
@@ -72,14 +68,6 @@ _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
 _LEAST_TAKEN = 0.005  # of the window's finest detail
 
 
-def _is_at_seam(cause: str, explanation: Explanation | None) -> bool:
-    return cause in (*ALONG_THE_SEAM, Cause.UNCLEAR) or _is_softened_seam(cause, explanation)
-
-
-def _is_softened_seam(cause: str, explanation: Explanation | None) -> bool:
-    return cause == Cause.BLUR and explanation is not None and explanation.evidence.is_smoothed_seam
-
-
 def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     """What took detail there, in a few words."""
     if causes[0] == Cause.UNCLEAR:
@@ -101,14 +89,13 @@ def _misfit_px(row: WindowRecord) -> float | None:
 
 def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_the_seam: bool = False) -> str:
     """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
-    causes = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
-    at_seam = [cause for cause in causes if _is_at_seam(cause, explanation)]
-    causes = at_seam[:1] if along_the_seam else causes
-    return "; ".join(filter(None, (_clause(cause, row, explanation, width) for cause in causes)))
+    causes = loss_place(row).at_seam(_causes_of(row))[:1] if along_the_seam else _causes_of(row)
+    clauses = (_clause(cause, row, explanation, width) for cause in causes if cause not in _TOLD_BEFORE)
+    return "; ".join(filter(None, clauses))
 
 
 def _clause(cause: str, row: WindowRecord, explanation: Explanation | None, width: str) -> str:
-    if _is_softened_seam(cause, explanation):
+    if cause == Cause.BLUR and cause in loss_place(row).at_seam(_causes_of(row)):
         return tr("the mosaic is softened along the seam")
     is_of_images = cause in (Cause.FEATHERING, Cause.MISREGISTRATION)
     clause = cause_clause(cause, explanation, _misfit_px(row) if is_of_images else None)
@@ -181,7 +168,7 @@ def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
     """The explanation behind what the row holds; None when it is not at hand."""
     explanation = result.explanation if result is not None else None
-    if result is None or explanation is None or explanation.cause.value != row.cause:
+    if result is None or explanation is None or result.causes[0].value != row.cause:
         return None
     return explanation if all(map(is_same, row.ratios, result.judgement.ratios.detail)) else None
 
@@ -199,27 +186,16 @@ def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
-def is_lost_along_the_seam(row: WindowRecord) -> bool:
-    """Whether the loss that was found lies there; what is kept there says nothing where the whole is blurred badly."""
-    has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
-    return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not _is_blurred(row)
+def loss_place(row: WindowRecord) -> LossPlace:
+    """The place of the loss of a window that was judged by its seam."""
+    return LossPlace(row.verdict, row.kept_1, row.kept_high, row.sharpness)
 
 
 def painted_width_m(row: WindowRecord, result: WindowResult | None) -> float:
     """How far across its seam the loss of a window is painted: as wide as it is told. 0 where more took detail than the
     seam, or nothing is told, and all that was measured is painted."""
-    is_alone = is_lost_along_the_seam(row) and not _is_whole_soft(row, explanation_of(row, result))
+    is_alone = loss_place(row).is_along and not _is_whole_soft(row, explanation_of(row, result))
     return max(row.band_width or 0.0, row.feather_width or 0.0) if is_alone else 0.0
-
-
-def _is_blurred(row: WindowRecord) -> bool:
-    """Whether the whole is blurred so badly that the ground around tells nothing of the seam."""
-    return _kept_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
-
-
-def _kept_in_whole(row: WindowRecord) -> float:
-    """Share of the finest detail energy of the window's sources; all where that is not known."""
-    return 1.0 if row.sharpness is None else row.sharpness**2
 
 
 def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str) -> list[str]:
@@ -228,40 +204,18 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
-    is_along, causes = is_lost_along_the_seam(row), _told_causes(row, explanation)
-    said, in_all = _lost_in_whole(row, 1 - _kept_in_whole(row), is_along), []
-    if _is_seam_decisive(row):
+    place = loss_place(row)
+    causes = place.decisive(_causes_of(row))
+    said, in_all = _lost_in_whole(row, place), []
+    if place.is_decisive:
         said = _lost_along(1 - (row.kept_1 or 0.0), width)
         if row.loss is not None and _is_whole_soft(row, explanation):
             in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
     brief = CAUSES[causes[0]].brief if causes and causes[0] in CAUSES else ""
     clause = tr(brief) if brief else ""
-    if causes and _is_at_seam(causes[0], explanation):
+    if causes and causes[0] in place.at_seam(causes):
         clause = _brief_at_seam(causes, row)
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]
-
-
-def _is_seam_decisive(row: WindowRecord) -> bool:
-    """Whether the seam took the more, or made the verdict."""
-    is_more = (row.kept_1 or 0.0) <= _kept_in_whole(row)
-    is_alone = row.verdict == "significant" or not _is_whole_soft(row, None)
-    return is_lost_along_the_seam(row) and (is_alone or is_more)
-
-
-def _told_causes(row: WindowRecord, explanation: Explanation | None) -> list[str]:
-    """What took the detail that the sentence tells of, along the seam or in the whole, the strongest first: the first
-    is named everywhere, and what can be done is about that."""
-    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)]
-    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)]
-    if _is_seam_decisive(row):
-        return at_seam or in_whole * _is_whole_soft(row, None)
-    return in_whole
-
-
-def told_cause(row: WindowRecord) -> str:
-    """The one cause that is named of a window: the one that its sentence tells first."""
-    is_of_loss = row.reference == SEAM and row.verdict in LOSSES
-    return next(iter(_told_causes(row, None) if is_of_loss else ()), row.cause)
 
 
 def _causes_of(row: WindowRecord) -> list[str]:
@@ -269,7 +223,7 @@ def _causes_of(row: WindowRecord) -> list[str]:
 
 
 def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
-    return _kept_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2 if explanation is None else explanation.ground_left < 1
+    return loss_place(row).is_whole_soft if explanation is None else explanation.ground_left < 1
 
 
 def _lost_along(lost: float, width: str) -> str:
@@ -279,18 +233,17 @@ def _lost_along(lost: float, width: str) -> str:
     return filled(text, lost=percent(lost, 1 - MAX_SIGNIFICANT_KEPT), width=width)
 
 
-def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
-    """``is_along``: more of it was lost along the seam, of the ground around it."""
-    limit = 1 - MAX_SIGNIFICANT_SHARPNESS_SQUARED
+def _lost_in_whole(row: WindowRecord, place: LossPlace) -> str:
+    lost, limit = 1 - place.kept_in_whole, 1 - MAX_SIGNIFICANT_SHARPNESS_SQUARED
     said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost, limit))
     more = [] if row.loss is None else [shown_area(row.loss)]
     if row.verdict == "reduced" and lost > 1 - MAX_SIGNIFICANT_KEPT:  # which would be significant along a seam
         more.append(filled(tr("limit {percent} %"), percent=percent(limit)))
     said = f"{said} ({'; '.join(more)})" if more else said
-    if is_along:
+    if place.is_along:  # of the ground around it
         text = tr("{said}, {lost} % of the rest along the seam")
         return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0), 1 - MAX_SIGNIFICANT_KEPT))
-    is_even = not _is_blurred(row) and (row.kept_1 or 0.0) >= _ALL_KEPT
+    is_even = not place.is_blurred and (row.kept_1 or 0.0) >= _ALL_KEPT
     return filled(tr("{said}, no more along the seam"), said=said) if is_even else said
 
 
@@ -326,9 +279,9 @@ def _interval(row: WindowRecord) -> list[str]:
     if row.kept_1 is None or row.kept_low is None or row.kept_high is None:
         return []
     low, high = percent(row.kept_low), percent(row.kept_high)
-    if not is_lost_along_the_seam(row):
+    if not loss_place(row).is_along:
         text = tr("Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).")
-        return [] if _is_blurred(row) else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
+        return [] if loss_place(row).is_blurred else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
     least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
     text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
     said = [filled(text, least=least, most=most)]
@@ -344,7 +297,7 @@ def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
     if row.sharpness is None:
         return []
     taken = {} if explanation is None else {cause.value: share for cause, share in causes_taken(explanation.evidence)}
-    at_seam = [cause for cause in taken if _is_at_seam(cause, explanation)]
+    at_seam = loss_place(row).at_seam(list(taken))
     shares = [
         words for cause in _causes_of(row)
         if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := loss_words(cause, taken[cause]))

@@ -21,7 +21,7 @@ from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord
-from ..window_summary import judged_words, painted_width_m, told_cause, window_sentence, window_why
+from ..window_summary import judged_words, painted_width_m, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -71,7 +71,7 @@ def _findings(record: WindowRecord) -> Iterator[str]:
     if paper := paper_words(record):
         yield paper
     known = []
-    causes = "; ".join(dict.fromkeys([told_cause(record), *(record.causes or record.cause).split("; ")]))
+    causes = record.causes or record.cause
     if causes and (causes != "none" or record.verdict in LOSSES):
         words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
         known.append(filled(words, cause=causes_words(causes)))
@@ -171,7 +171,7 @@ class WindowSections:
         known = record, self._request.results.get(record.window_id), self._pixel_m
         yield " ".join([window_sentence(*known), *window_why(*known)])
         facts = []
-        if (cause := told_cause(record)) and cause != "none":
+        if (cause := record.cause) and cause != "none":
             words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
             facts += [filled(words, cause=cause_word(cause)), cause_sentence(cause)]
         facts += [filled(tr("Observer: {word}."), word=observer_word(record.observer) or tr("not judged"))]

@@ -16,8 +16,9 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ra
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
+from seam_inspector.plugin.seams.measure.window.window_tables import window_rows
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
-from seam_inspector.plugin.seams.window_summary import told_cause, window_sentence, window_why
+from seam_inspector.plugin.seams.window_summary import window_sentence, window_why
 
 from tests.qgis.seams.desk.windows_session import window
 
@@ -183,23 +184,37 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
 
 
 @pytest.mark.parametrize(
-    ("values", "cause"),
+    ("causes", "kept", "sharpness", "written"),
     [
-        ({"causes": "feathering; balanced", "cause": "feathering"}, "feathering"),
-        (  # the seam made the verdict, and resampling took more
-            {"cause": "resampled", "causes": "resampled; misregistration; feathering", "sharpness": 0.79},
-            "misregistration",
-        ),
-        (
-            {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
-             "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            "resampled",
-        ),
-        ({**SOUND, "cause": "resampled", "causes": "resampled; feathering"}, "resampled"),
+        ("feathering; balanced", 0.56, 1.0, "feathering; balanced"),
+        # the seam made the verdict, and resampling took more
+        ("resampled; misregistration; feathering", 0.56, 0.79, "misregistration; feathering; resampled"),
+        # the seam was softened, which a blur says that may be that of the whole
+        ("resampled; balanced; blur", 0.56, 0.79, "blur; resampled; balanced"),
+        ("resampled; unclear; feathering", 0.84, 0.81, "resampled; unclear; feathering"),
+        ("feathering; resampled", 0.84, 0.81, "resampled; feathering"),
+        ("missing source; feathering", 0.56, 1.0, "feathering; missing source"),
     ],
-)  # fmt: skip
-def test_the_table_names_the_cause_that_the_sentence_tells_first(values: dict[str, Any], cause: str) -> None:
-    assert told_cause(seam_row(**values)) == cause
+)
+def test_the_cause_that_is_written_is_the_one_that_the_sentence_tells(
+    qgis_app: QgsApplication, causes: str, kept: float, sharpness: float, written: str
+) -> None:
+    measured = result(causes, profile=replace(PROFILE, kept=(kept,), low=kept - 0.05, high=kept + 0.06))
+    assert measured.explanation is not None
+    verdict = "significant" if kept <= 0.7 else "reduced"
+    measured = replace(
+        measured, judgement=replace(measured.judgement, verdict=Verdict(verdict)),
+        explanation=replace(measured.explanation, sharpness=sharpness),
+    )
+    values = window_rows([measured])[0]
+    assert values["causes"] == written
+    assert values["cause"] == written.split("; ")[0]
+    seen = seam_row(verdict, kept=(kept,), kept_low=kept - 0.05, kept_high=kept + 0.06, sharpness=sharpness,
+                    cause=values["cause"], causes=written)
+    brief = {"misregistration": "images do not fit", "blur": "softened there", "feathering": "feathered"}
+    for said in (window_sentence(seen), window_sentence(seen, measured)):
+        assert f": {brief.get(str(values['cause']), values['cause'])}" in said
+    assert Cause(causes.split("; ")[0]) is measured.explanation.cause  # by the energy that each took
 
 
 @pytest.mark.parametrize(("side_px", "width"), [(512, "28.0"), (280, "28.0"), (256, "at least 25.6")])

@@ -13,7 +13,7 @@ from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, shown_number, tr
 from ...measure.window_records import SEAM
-from ...window_summary import shown_area, told_cause, window_sentence, window_why
+from ...window_summary import shown_area, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ class TableColumn(NamedTuple):
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
-            return rich_tip(cause_sentence(told_cause(row)))
+            return rich_tip(cause_sentence(row.cause))
         return window_tip(row, result)
 
 
@@ -130,7 +130,7 @@ COLUMNS = (
     TableColumn(
         "cause", QT_TR_NOOP("cause"),
         QT_TR_NOOP("The step of production that explains what happened to the contrast."),
-        lambda row: cause_word(told_cause(row)), lambda row: cause_word(told_cause(row)).casefold() or None,
+        lambda row: cause_word(row.cause), lambda row: cause_word(row.cause).casefold() or None,
     ),
     _plain("sources", QT_TR_NOOP("sources"), QT_TR_NOOP("How many sources the mosaic was compared with."),
            _ALIGNED_RIGHT),

@@ -283,7 +283,9 @@ class Cause(str, Enum):
 
 
 ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)
-"""Causes that take detail beside a seam alone; the others do in the whole window."""
+"""Causes that take detail beside a seam alone."""
+ALL_OVER = (Cause.BLUR, Cause.RESAMPLED, Cause.COMPRESSED, Cause.CLIPPING, Cause.DODGING)
+"""Causes that take detail in the whole window."""
 
 
 def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
