@@ -11,7 +11,7 @@ from ..toolkit.translation import filled, grouped_number, percent, shown_number,
 from .measure.judgement.causes import Cause, causes_taken
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
-from .measure.profile.seam_profile import Measure
+from .measure.profile.seam_profile import Measure, SeamProfile
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
     CAUSES,
@@ -116,11 +116,14 @@ _NOT_COMPARABLE = "not_comparable"
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
-def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> str:
+def window_sentence(
+    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None,
+    profile: SeamProfile | None = None,
+) -> str:
     """Verdict; where and how much; by what; what to do. With its result the numbers of the cause are told too.
 
     A result that is not the one in the row, as after an undo, is left aside. ``pixel_m``: the mosaic's pixel size,
-    where there is no result to say it.
+    and ``profile``, where there is no result to say them.
     """
     if not row.verdict:
         return verdict_sentence("")
@@ -128,7 +131,8 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel
     if row.verdict == _NOT_COMPARABLE:
         sentence = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
-        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, _width(row, result, pixel_m))])
+        width = _width(row, result, pixel_m, profile)
+        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, width)])
     else:
         sentence = _by_ratio(row, why)
     return filled(tr("{finding} Changed since: inspect it again."), finding=sentence) if row.stale else sentence
@@ -158,11 +162,13 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     return list(filter(None, said))
 
 
-def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
+def _width(
+    row: WindowRecord, result: WindowResult | None, pixel_m: float | None, profile: SeamProfile | None = None
+) -> str:
     if result is None:
-        return seam_width_words(row.band_width, row.feather_width, pixel_m)
+        return seam_width_words(row.band_width, row.feather_width, pixel_m, profile=profile)
     pixel_m = result.ground_sample_distance
-    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m)
+    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m, result.profile)
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:

@@ -90,7 +90,7 @@ def summary_words(shown: ShownProfile) -> str:
         return ""
     width = seam_width_words(
         profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m,
-        shown.window_m,
+        shown.window_m, profile,
     )
     text = tr("{kept} % kept ({low} to {high} %)")
     if shown.ground_left < 1 and profile.is_of_the_ground:

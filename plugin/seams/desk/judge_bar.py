@@ -169,7 +169,8 @@ class JudgeBar(QWidget):
         elif piece is not None:
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
-            finding = window_sentence(piece.record, pixel_m=pixel_m)
+            profile = None if piece.profile is None else piece.profile.profile
+            finding = window_sentence(piece.record, pixel_m=pixel_m, profile=profile)
             text = tr("By the scan, this piece of seam: {finding}")
             sentence = filled(text, finding=finding)
         elif self._judging.is_walked():
