@@ -108,7 +108,7 @@ def _as_sentence(clause: str) -> str:
     return f"{clause[:1].upper()}{clause[1:]}." if clause else ""
 
 
-_APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
+_APART = 0.05  # a ratio that differs by less from another, or from 1, is not told beside it
 _AS_SHARP = 0.03  # of the sharpness: less is not told
 _UNEXPLAINED = 0.005  # of the pixels
 _ALL_KEPT = 0.97  # less is said to be less, though the interval holds 1
@@ -315,9 +315,19 @@ def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
         left, sharpness = percent(row.sharpness**2), percent(row.sharpness)
         return [filled(text, left=left, sharpness=sharpness, took=", ".join(shares))]
     if abs(row.sharpness - 1) < _AS_SHARP:
-        return [tr("The window is as sharp as its sources.")]
+        return [tr("The window is as sharp as its sources."), *_apart_curves(row)]
     text = tr("The whole window has {percent} % of the sharpness of its sources.")
     return [filled(text, percent=percent(row.sharpness))]
+
+
+def _apart_curves(row: WindowRecord) -> list[str]:
+    """Why curves are apart where nothing is lost: they are shares of a contrast that sharpness knows nothing of."""
+    ratios = [ratio for ratio in (row.ratio, row.composite_ratio) if ratio is not None]
+    if min(ratios, default=1.0) < 1 - _APART:
+        return [tr("Its curve lies lower all the same: curves are shares of all contrast, which tones change, too.")]
+    if max(ratios, default=1.0) > 1 + _APART:
+        return [tr("Its curve lies higher all the same: curves are shares of all contrast, which tones change, too.")]
+    return []
 
 
 def is_same(first: float | None, other: float | None) -> bool:

@@ -217,6 +217,18 @@ def test_the_cause_that_is_written_is_the_one_that_the_sentence_tells(
     assert Cause(causes.split("; ")[0]) is measured.explanation.cause  # by the energy that each took
 
 
+@pytest.mark.parametrize(
+    ("ratio", "composite", "words"),
+    [(0.98, 1.01, ""), (0.8, 1.0, "lower"), (0.99, 0.9, "lower"), (None, 1.2, "higher"), (None, None, "")],
+)
+def test_curves_that_lie_apart_where_nothing_is_lost_are_explained(
+    qgis_app: QgsApplication, ratio: float | None, composite: float | None, words: str
+) -> None:
+    said = window_why(seam_row(**SOUND, ratios=(ratio,), composite_ratios=(composite,)))
+    place = said.index("The window is as sharp as its sources.")
+    assert [f"curve lies {words} all the same" in line for line in said[place + 1 :][:1]] == [True] * bool(words)
+
+
 @pytest.mark.parametrize(("side_px", "width"), [(512, "28.0"), (280, "28.0"), (256, "at least 25.6")])
 def test_a_seam_is_no_wider_than_its_window(qgis_app: QgsApplication, side_px: int, width: str) -> None:
     """Ground was read beyond it."""

@@ -84,7 +84,7 @@ class CurvesPanel(ChartPanel):
             self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
             self._save.offer(None)
         elif result is not None:
-            chart = self._draw(result, filled(tr("Window {number}"), number=result.window_id))
+            chart = self._draw(result, self._title(result))
             self._save.offer(curves_picture(f"window_{result.window_id}_curves", chart))
         else:
             self._show_no_curves(missing)
@@ -99,6 +99,14 @@ class CurvesPanel(ChartPanel):
         self.shown = [result]
         self._status.setText(title)
         return chart
+
+    def _title(self, result: WindowCurves) -> str:
+        """What is drawn, and how many of the table's sources have no curve, since they end in the window."""
+        row, ending = next(map(self._session.row, self._session.selected()), None), 0
+        if row is not None and not self._session.is_pending(row.fid):
+            ending = (row.sources or 0) - sum(clip.role == "source" for clip in result.clips)
+        text = tr("Window {number}; {count} more {count:source ends|sources end} in it")
+        return filled(text if ending > 0 else tr("Window {number}"), number=result.window_id, count=ending)
 
     def _coloured(self, curves: list[ChartCurve]) -> Iterator[ChartCurve]:
         """Sources keep their colours from window to window, but where two that meet would have the same."""

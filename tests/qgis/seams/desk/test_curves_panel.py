@@ -187,6 +187,18 @@ def test_one_window_shows_mosaic_sources_and_limit(session: CurvesSession, panel
     assert panel._status.text() == "Window 12"
 
 
+def test_sources_of_the_table_that_have_no_curve_are_told(session: CurvesSession, panel: CurvesPanel) -> None:
+    session.add(1, make_result(sources=2))
+    session.rows = [replace(row, sources=4) for row in session.rows]
+    session.select([1])
+    wait_for_timer(panel)
+    assert panel._status.text() == "Window 12; 2 more sources end in it"
+    session.rows = [replace(row, sources=2) for row in session.rows]
+    session.selectionChanged.emit()
+    wait_for_timer(panel)
+    assert panel._status.text() == "Window 12"
+
+
 def test_a_tip_says_the_value_of_the_point_under_the_mouse(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     chart = panel.findChild(CurvesChart)
