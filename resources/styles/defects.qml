@@ -87,7 +87,7 @@
             <Option type="QString" name="dash_pattern_offset_unit" value="MM"/>
             <Option type="QString" name="draw_inside_polygon" value="0"/>
             <Option type="QString" name="joinstyle" value="round"/>
-            <Option type="QString" name="line_color" value="213,94,0,255"/>
+            <Option type="QString" name="line_color" value="142,1,82,255"/>
             <Option type="QString" name="line_style" value="solid"/>
             <Option type="QString" name="line_width" value="1.5"/>
             <Option type="QString" name="line_width_unit" value="MM"/>
@@ -115,7 +115,7 @@
           <prop v="MM" k="dash_pattern_offset_unit"/>
           <prop v="0" k="draw_inside_polygon"/>
           <prop v="round" k="joinstyle"/>
-          <prop v="213,94,0,255" k="line_color"/>
+          <prop v="142,1,82,255" k="line_color"/>
           <prop v="solid" k="line_style"/>
           <prop v="1.5" k="line_width"/>
           <prop v="MM" k="line_width_unit"/>

@@ -62,14 +62,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(255,255,255,190))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.7" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -205,14 +229,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,110))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.4" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -348,14 +396,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(255,255,255,170))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.4" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -491,14 +563,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.1" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -634,14 +730,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.1" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>

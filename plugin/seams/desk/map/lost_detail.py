@@ -134,6 +134,7 @@ class _PictureItem(QgsMapCanvasItem):
         except WindowError:
             return
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        labels = self._labels()
         for picture in self.pictures:
             try:
                 around, shown = (self._on_canvas(extent, transform) for extent in (picture.extent, picture.shown))
@@ -149,10 +150,18 @@ class _PictureItem(QgsMapCanvasItem):
             path = QPainterPath()
             path.addPolygon(shown)
             painter.save()
-            painter.setClipPath(path)
+            painter.setClipPath(path.subtracted(labels))
             painter.setTransform(warp, True)
             painter.drawImage(QPointF(), picture.image)
             painter.restore()
+
+    def _labels(self) -> QPainterPath:
+        """The ground beneath the map's labels, which are to be read."""
+        path, results = QPainterPath(), self._canvas.labelingResults()
+        for label in results.allLabels() if results is not None else ():
+            outline = map(QgsPointXY, label.labelGeometry.vertices())
+            path.addPolygon(QPolygonF([self.toCanvasCoordinates(corner) for corner in outline]))
+        return path
 
     def _on_canvas(self, extent: Extent, transform: QgsCoordinateTransform) -> QPolygonF:
         """The corners in pixels of the canvas, from the upper left clockwise."""
