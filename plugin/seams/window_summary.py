@@ -79,7 +79,7 @@ def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     px = _misfit_px(row)
     apart = "" if px is None else filled(tr("images {value} px apart"), value=shown_number(px, 1))
     words = {Cause.MISREGISTRATION.value: apart or tr("images do not fit"), Cause.FEATHERING.value: tr("feathered")}
-    return ", ".join(dict.fromkeys(filter(None, (*map(words.get, causes), apart))))
+    return ", ".join(filter(None, map(words.get, causes)))
 
 
 def _misfit_px(row: WindowRecord) -> float | None:

@@ -134,7 +134,7 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
             {"causes": "feathering; misregistration", "misfit": 2.04, "feather_width": 1.5},
             f"Significant loss. {STRIP}: feathered, images 2.0 px apart. {CUT}",
         ),
-        ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered, images 2.0 px apart. {CUT}"),
+        ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered. {CUT}"),
         ({"misfit": 0.4}, f"Significant loss. {STRIP}: feathered. {CUT}"),  # next to nothing
         (  # half a pixel off explains no dip along the seam
             {"causes": "resampled; feathering; balanced", "sharpness": 0.99},

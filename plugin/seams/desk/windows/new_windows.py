@@ -97,7 +97,7 @@ class NewWindows(QObject):
         fids = [next(new) if fid is None else fid for fid in there]
         count = len(set(fids))
         widths = [feature.geometry().boundingBox().width() * grid.metres_x for feature in features] or [0.0]
-        sides = " – ".join(dict.fromkeys(map(shown_metres, (min(widths), max(widths)))))
+        sides = " - ".join(dict.fromkeys(map(shown_metres, (min(widths), max(widths)))))
         self.notified.emit(keeping_messages.PLACES_TAKEN(count=count, sides=sides, there=count - len(places)))
         return fids
 
