@@ -35,8 +35,6 @@ class ChartCurve:
     is_mosaic: bool
     detail: tuple[float, ...]  # relative variance at levels 1..R
     background: float
-    colour: int | None = None
-    """Number of a source's colour, so that it keeps it from window to window; None: by its place in the chart."""
     is_composite: bool = False  # whether it is the hard-cut composite of the sources, which is none of them
     is_reference: bool = False  # whether the verdict is taken against it alone, and not against the sources
 
@@ -94,7 +92,7 @@ def window_curves(result: WindowCurves, band: str, reference: str = REFERENCES[0
         curve = clip.curves[band]
         if clip.role == COMPOSITE:
             label, is_reference = tr("composite"), reference == clip.role
-            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, True, is_reference))
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, True, is_reference))
             continue
         curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background))
     return curves
@@ -116,12 +114,12 @@ _LIMIT_REACH = 0.25  # components on either side of level 1
 
 
 def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, PenStyle]:
-    """Colour and dashes of a curve; ``number`` counts the sources, for one that has no colour of its own."""
+    """Colour and dashes of a curve; ``number`` counts the sources."""
     if curve.is_mosaic:
         return style.text, Qt.PenStyle.SolidLine
     if curve.is_composite:
         return style.quiet, COMPOSITE_DASHES
-    colour, line = source_look(number if curve.colour is None else curve.colour, style)
+    colour, line = source_look(number, style)
     return colour, _PENS[line]
 
 

@@ -182,6 +182,10 @@ class Session(QObject):
         """The mouse is over this window; ``is_live``: its curves follow."""
         self._live.hover(window, is_live)
 
+    def is_useless(self, window: PixelWindow) -> bool:
+        """Whether nothing can be compared in the window under the mouse, as is known when the mouse has rested."""
+        return self._live.useless == window
+
     def leave(self) -> None:
         """The mouse is over no window any more."""
         self._live.leave()

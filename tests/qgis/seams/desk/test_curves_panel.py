@@ -225,17 +225,6 @@ def test_names_that_do_not_fit_are_told_apart() -> None:
         assert told_apart(alike) == alike
 
 
-def test_a_source_keeps_its_colour_from_window_to_window(session: CurvesSession, panel: CurvesPanel) -> None:
-    whole = make_result(sources=3)
-    select_one(session, whole)
-    colour = seen(panel, (3, 1))
-    assert colour == QColor(PAPER.sources[2])
-    session.add(2, replace(whole, window_id=13, clips=(whole.clips[0], whole.clips[3])))
-    session.select([2])
-    settle()
-    assert seen(panel, (1, 1)) == colour
-
-
 # when it draws
 
 
