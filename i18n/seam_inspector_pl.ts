@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="61"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="60"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -369,7 +369,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="205"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="203"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -399,7 +399,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="320"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="318"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -409,52 +409,52 @@
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="35"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="36"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="37"/>
+        <location filename="../plugin/seams/words.py" line="38"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="39"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="41"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="87"/>
+        <location filename="../plugin/seams/words.py" line="92"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="87"/>
+        <location filename="../plugin/seams/words.py" line="92"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="41"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="39"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="147"/>
+        <location filename="../plugin/seams/window_summary.py" line="138"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -574,32 +574,32 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="87"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="105"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="139"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="131"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="140"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="136"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="149"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="141"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="138"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -619,42 +619,42 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="185"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="186"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="122"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="121"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="59"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -919,7 +919,7 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="94"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -3203,72 +3203,72 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="116"/>
+        <location filename="../plugin/seams/words.py" line="121"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="127"/>
+        <location filename="../plugin/seams/words.py" line="132"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="146"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="153"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="157"/>
+        <location filename="../plugin/seams/words.py" line="162"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="168"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="259"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="117"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="154"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="158"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="255"/>
+        <location filename="../plugin/seams/words.py" line="260"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3565,7 +3565,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="313"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -3749,77 +3749,77 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="35"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="197"/>
+        <location filename="../plugin/seams/window_summary.py" line="190"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="195"/>
+        <location filename="../plugin/seams/window_summary.py" line="188"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="119"/>
+        <location filename="../plugin/seams/words.py" line="124"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="130"/>
+        <location filename="../plugin/seams/words.py" line="135"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="144"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="151"/>
+        <location filename="../plugin/seams/words.py" line="156"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="160"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="171"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="118"/>
+        <location filename="../plugin/seams/words.py" line="123"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="129"/>
+        <location filename="../plugin/seams/words.py" line="134"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="150"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="159"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
@@ -4098,147 +4098,147 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="42"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="47"/>
+        <location filename="../plugin/seams/window_summary.py" line="43"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="48"/>
+        <location filename="../plugin/seams/window_summary.py" line="44"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="56"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="61"/>
+        <location filename="../plugin/seams/window_summary.py" line="57"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="188"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="199"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="195"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="196"/>
+        <location filename="../plugin/seams/words.py" line="201"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="197"/>
+        <location filename="../plugin/seams/words.py" line="202"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="205"/>
+        <location filename="../plugin/seams/words.py" line="210"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="207"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="208"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="218"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="215"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="216"/>
+        <location filename="../plugin/seams/words.py" line="221"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="224"/>
+        <location filename="../plugin/seams/words.py" line="229"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="227"/>
+        <location filename="../plugin/seams/words.py" line="232"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="234"/>
+        <location filename="../plugin/seams/words.py" line="239"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="245"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="249"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4348,17 +4348,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="134"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4378,7 +4378,7 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="223"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
@@ -4688,32 +4688,32 @@
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="301"/>
+        <location filename="../plugin/seams/words.py" line="306"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="302"/>
+        <location filename="../plugin/seams/words.py" line="307"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="303"/>
+        <location filename="../plugin/seams/words.py" line="308"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="304"/>
+        <location filename="../plugin/seams/words.py" line="309"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="305"/>
+        <location filename="../plugin/seams/words.py" line="310"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -4748,37 +4748,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="207"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="240"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="240"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="242"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4803,7 +4803,7 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="266"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="267"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -4843,7 +4843,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="375"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -4853,17 +4853,17 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="220"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="212"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="205"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="197"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="245"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="237"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -4888,12 +4888,12 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="166"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="168"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="294"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="303"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
@@ -4938,7 +4938,7 @@
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
@@ -4953,7 +4953,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -5057,10 +5057,6 @@
         <translation>istotna strata</translation>
     </message>
     <message>
-        <source>width of the band</source>
-        <translation>szerokość pasa</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Okno</translation>
     </message>
@@ -5070,7 +5066,7 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -6090,17 +6086,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="114"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="116"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="120"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="119"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -6225,47 +6221,47 @@
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -6943,7 +6939,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -7349,7 +7345,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="207"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7653,27 +7649,27 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="209"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="212"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="190"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="187"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="188"/>
+        <location filename="../plugin/seams/words.py" line="193"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="160"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7722,57 +7718,57 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="136"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="176"/>
+        <location filename="../plugin/seams/words.py" line="181"/>
         <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
+        <location filename="../plugin/seams/words.py" line="205"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="137"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="177"/>
+        <location filename="../plugin/seams/words.py" line="182"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="178"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="256"/>
+        <location filename="../plugin/seams/words.py" line="261"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -7792,12 +7788,12 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="112"/>
+        <location filename="../plugin/seams/window_summary.py" line="99"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
+        <location filename="../plugin/seams/window_summary.py" line="319"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7812,7 +7808,7 @@
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
@@ -7821,12 +7817,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="355"/>
+        <location filename="../plugin/seams/window_summary.py" line="314"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="354"/>
+        <location filename="../plugin/seams/window_summary.py" line="313"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8066,12 +8062,12 @@
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
@@ -8081,67 +8077,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="352"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="355"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="272"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8286,52 +8282,52 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="318"/>
+        <location filename="../plugin/seams/window_summary.py" line="277"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="53"/>
+        <location filename="../plugin/seams/window_summary.py" line="49"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <location filename="../plugin/seams/window_summary.py" line="279"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="330"/>
+        <location filename="../plugin/seams/window_summary.py" line="289"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <location filename="../plugin/seams/window_summary.py" line="292"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="317"/>
+        <location filename="../plugin/seams/window_summary.py" line="276"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <location filename="../plugin/seams/window_summary.py" line="295"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="359"/>
+        <location filename="../plugin/seams/window_summary.py" line="318"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="41"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="226"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -8451,7 +8447,7 @@
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -8934,7 +8930,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="267"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="268"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -9019,12 +9015,12 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="161"/>
+        <location filename="../plugin/seams/window_summary.py" line="152"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="169"/>
+        <location filename="../plugin/seams/words.py" line="174"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
@@ -9197,7 +9193,7 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="295"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -9326,87 +9322,87 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="86"/>
+        <location filename="../plugin/seams/window_summary.py" line="74"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="88"/>
+        <location filename="../plugin/seams/window_summary.py" line="76"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="90"/>
+        <location filename="../plugin/seams/window_summary.py" line="78"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="277"/>
+        <location filename="../plugin/seams/window_summary.py" line="237"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="236"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="302"/>
+        <location filename="../plugin/seams/window_summary.py" line="261"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="306"/>
+        <location filename="../plugin/seams/window_summary.py" line="265"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="123"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>blurred</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="124"/>
+        <location filename="../plugin/seams/words.py" line="129"/>
         <source>Leave out that filter.</source>
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="138"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="170"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="191"/>
+        <location filename="../plugin/seams/words.py" line="196"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="202"/>
+        <location filename="../plugin/seams/words.py" line="207"/>
         <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="220"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -9426,22 +9422,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="294"/>
+        <location filename="../plugin/seams/window_summary.py" line="253"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="219"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="285"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="291"/>
+        <location filename="../plugin/seams/window_summary.py" line="250"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9481,22 +9477,22 @@
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="235"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="236"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="237"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -9576,27 +9572,27 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9621,7 +9617,7 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="296"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="305"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -9723,7 +9719,7 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="250"/>
+        <location filename="../plugin/seams/words.py" line="255"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
@@ -9773,7 +9769,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="237"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -9818,37 +9814,37 @@
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="343"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="343"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -9920,22 +9916,22 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="251"/>
+        <location filename="../plugin/seams/desk/session.py" line="255"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="251"/>
+        <location filename="../plugin/seams/desk/session.py" line="255"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="448"/>
+        <location filename="../plugin/seams/desk/session.py" line="452"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="448"/>
+        <location filename="../plugin/seams/desk/session.py" line="452"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
@@ -9945,12 +9941,12 @@
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="97"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="96"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="140"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
@@ -10045,42 +10041,42 @@
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
@@ -10095,12 +10091,12 @@
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10145,7 +10141,7 @@
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="82"/>
+        <location filename="../plugin/seams/words.py" line="87"/>
         <source>at least {width}</source>
         <translation>co najmniej {width}</translation>
     </message>
@@ -10248,7 +10244,7 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="141"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="133"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
@@ -10263,7 +10259,7 @@
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="116"/>
+        <location filename="../plugin/seams/window_summary.py" line="103"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10313,7 +10309,7 @@
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="132"/>
+        <location filename="../plugin/seams/words.py" line="137"/>
         <source>Feather less.</source>
         <translation>Wtapiaj węziej.</translation>
     </message>
@@ -10363,22 +10359,22 @@
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10492,12 +10488,12 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="283"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="281"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="55"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="51"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
@@ -10507,7 +10503,7 @@
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="117"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="116"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
@@ -10666,12 +10662,12 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="135"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10750,12 +10746,12 @@
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
     </message>
@@ -10775,12 +10771,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="250"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10811,7 +10807,7 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
         <source>All compared windows are judged; {rest}.</source>
         <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
     </message>
@@ -10826,17 +10822,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="229"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="289"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="291"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10895,22 +10891,22 @@
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>of these may keep enough</source>
         <translation>z nich może zachować dość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="84"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="80"/>
         <source>Live: {columns} x {rows} px</source>
         <translation>Na żywo: {columns} × {rows} px</translation>
     </message>
@@ -10925,27 +10921,27 @@
         <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="449"/>
+        <location filename="../plugin/seams/desk/session.py" line="453"/>
         <source>how sure you are of window {number}</source>
         <translation>pewność oceny okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="449"/>
+        <location filename="../plugin/seams/desk/session.py" line="453"/>
         <source>how sure you are of {count} windows</source>
         <translation>pewność oceny okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="446"/>
+        <location filename="../plugin/seams/desk/session.py" line="450"/>
         <source>remark on window {number}</source>
         <translation>uwaga do okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="446"/>
+        <location filename="../plugin/seams/desk/session.py" line="450"/>
         <source>remark on {count} windows</source>
         <translation>uwaga do okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="124"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="123"/>
         <source>Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
@@ -10955,12 +10951,12 @@
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="92"/>
+        <location filename="../plugin/seams/window_summary.py" line="80"/>
         <source>images {value} px apart</source>
         <translation>obrazy przesunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
     </message>
@@ -11112,32 +11108,32 @@
         <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, bez linii od wykonawcy, a szerokie wtapianie część z nich ukrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
         <source>what is kept is known too roughly</source>
         <translation>zachowanie znane zbyt zgrubnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>the orthoimages have no pixels beside the seam</source>
         <translation>ortoobrazy nie mają pikseli obok linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
         <source>orthoimages along the seams</source>
         <translation>ortoobrazy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
         <source>; sheets rejected by themselves: {count}</source>
         <translation>; arkusze odrzucone same w sobie: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
         <source>no pixels beside {metres} of seam, such as at {place}; to be given by the producer</source>
         <translation>brak pikseli obok {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
         <source>their files can&apos;t be read</source>
         <translation>nie można odczytać ich plików</translation>
     </message>
@@ -11174,12 +11170,12 @@
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="174"/>
         <source>By the scan, this piece of seam: {finding}</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
         <source>All windows at the worst places are judged.</source>
         <translation>Wszystkie okna w najgorszych miejscach są ocenione.</translation>
     </message>
@@ -11189,14 +11185,9 @@
         <translation>Najgorsze miejsca: {progress}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="211"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="214"/>
         <source>{width} x {height} m, {columns} x {rows} px, no source lies there</source>
         <translation>{width} × {height} m, {columns} × {rows} px, nie leży tam żaden ortoobraz</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
-        <source>Windows at the worst places: {count}; there already: {there}.</source>
-        <translation>Okna w najgorszych miejscach: {count}; już były: {there}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
@@ -11219,7 +11210,7 @@
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="159"/>
+        <location filename="../plugin/seams/window_summary.py" line="150"/>
         <source>This follows from the mixture of the images; the ground around can&apos;t tell it.</source>
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
@@ -11254,7 +11245,7 @@
         <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>{judged} {count} {count:place has|places have} no window, as pixels are missing there.</source>
         <translation>{judged} {count} {count:miejsce nie ma|miejsca nie mają|miejsc nie ma} okna, bo brakuje tam pikseli.</translation>
     </message>
@@ -11274,9 +11265,34 @@
         <translation>Zatrzymano badanie: badanej ortofotomapy nie ma już w projekcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="299"/>
+        <location filename="../plugin/seams/desk/session.py" line="303"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="104"/>
+        <source>Window {number}; {count} more {count:source ends|sources end} in it</source>
+        <translation>Okno {number}; {count} {count:dalsze źródło kończy|dalsze źródła kończą|dalszych źródeł kończy} się w nim</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="216"/>
+        <source>{width} x {height} m, {columns} x {rows} px, nothing can be compared there</source>
+        <translation>{width} × {height} m, {columns} × {rows} px, nie da się tam nic porównać</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <source>Windows at the worst places: {count}, {sides} m wide; there already: {there}.</source>
+        <translation>Okna w najgorszych miejscach: {count}, szerokości {sides} m; już istniejące: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="327"/>
+        <source>Its curve lies lower all the same: curves are shares of all contrast, which tones change, too.</source>
+        <translation>Mimo to jego krzywa leży niżej: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="329"/>
+        <source>Its curve lies higher all the same: curves are shares of all contrast, which tones change, too.</source>
+        <translation>Mimo to jego krzywa leży wyżej: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
 </context>
 </TS>

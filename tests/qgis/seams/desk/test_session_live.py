@@ -67,13 +67,13 @@ def test_where_the_mouse_rests_it_is_known_whether_anything_can_be_compared(
     pixels[..., :70, :] = 0
     desk.mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
     desk.set(desk.inputs())
-    session, told, holed = desk.session, [], PixelWindow(0, 0, 128, 128)
-    session.liveChanged.connect(lambda: told.append(session.is_useless(holed)))
+    session, emitted, holed = desk.session, [], PixelWindow(0, 0, 128, 128)
+    session.liveChanged.connect(lambda: emitted.append(session.is_useless(holed)))
     session.liveChanged.connect(lambda: session.hover(holed, is_live))  # as the tool does
     session.hover(holed, is_live)
     wait_until(lambda: session.is_useless(holed))
     settle(0.3)
-    assert told.count(True) == 1
+    assert emitted.count(True) == 1
     session.liveChanged.disconnect()
     session.hover(PixelWindow(320, 72, 128, 128), is_live)
     wait_until(lambda: not session.is_useless(holed))
