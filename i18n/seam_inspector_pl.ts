@@ -454,7 +454,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="138"/>
+        <location filename="../plugin/seams/window_summary.py" line="145"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -569,7 +569,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="81"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -754,52 +754,52 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="119"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="120"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="103"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="104"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="107"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="108"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="136"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="138"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="103"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="104"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="136"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="138"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -949,12 +949,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="132"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="132"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="133"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -3076,17 +3076,17 @@
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="73"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="81"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="78"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="86"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -3427,7 +3427,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="144"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3436,27 +3436,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="174"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="187"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="185"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="186"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="215"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="212"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3754,12 +3754,12 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="190"/>
+        <location filename="../plugin/seams/window_summary.py" line="197"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="188"/>
+        <location filename="../plugin/seams/window_summary.py" line="195"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -3824,12 +3824,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="239"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="236"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="238"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="235"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4028,32 +4028,32 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="62"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="58"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="63"/>
-        <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
-        <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="60"/>
+        <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio}</source>
+        <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="198"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
-        <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
-        <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="200"/>
+        <source>kept along the seam (level 1: {low} to {high})</source>
+        <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="238"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="108"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="109"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
@@ -4098,29 +4098,29 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="42"/>
-        <source>sharpness 1: {value:.2f}</source>
-        <translation>ostrość 1: {value:.2f}</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="43"/>
-        <source>composite: {value:.2f}</source>
-        <translation>kompozycja: {value:.2f}</translation>
+        <source>sharpness 1: {value}</source>
+        <translation>ostrość 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="44"/>
-        <source>ratio 1: {value:.2f}</source>
-        <translation>stosunek 1: {value:.2f}</translation>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <source>composite: {value}</source>
+        <translation>kompozycja: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="56"/>
-        <source>kept 1: {value:.2f}</source>
-        <translation>zachowane 1: {value:.2f}</translation>
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <source>ratio 1: {value}</source>
+        <translation>stosunek 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="57"/>
-        <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
-        <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
+        <location filename="../plugin/seams/window_summary.py" line="63"/>
+        <source>kept 1: {value}</source>
+        <translation>zachowane 1: {value}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="65"/>
+        <source>kept 1: {value} ({low} to {high})</source>
+        <translation>zachowane 1: {value} (od {low} do {high})</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="188"/>
@@ -4718,12 +4718,12 @@
         <translation>niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="73"/>
         <source>found: {cause}</source>
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
@@ -4743,7 +4743,7 @@
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
@@ -4838,7 +4838,7 @@
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="204"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="205"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -4848,7 +4848,7 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="215"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -4903,27 +4903,27 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
@@ -4943,12 +4943,12 @@
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="126"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="126"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="127"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -7398,7 +7398,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="211"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="208"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -7570,12 +7570,12 @@
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -7669,7 +7669,7 @@
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="160"/>
+        <location filename="../plugin/seams/window_summary.py" line="167"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7713,7 +7713,7 @@
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="79"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
         <source>visibility at 2x (JND): {value:.1f}</source>
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
@@ -7773,12 +7773,12 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="232"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="233"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="235"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -7788,12 +7788,12 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="99"/>
+        <location filename="../plugin/seams/window_summary.py" line="106"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="319"/>
+        <location filename="../plugin/seams/window_summary.py" line="327"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7817,12 +7817,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="314"/>
+        <location filename="../plugin/seams/window_summary.py" line="322"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="313"/>
+        <location filename="../plugin/seams/window_summary.py" line="321"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8272,57 +8272,57 @@
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="114"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="277"/>
+        <location filename="../plugin/seams/window_summary.py" line="285"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="49"/>
+        <location filename="../plugin/seams/window_summary.py" line="56"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="279"/>
+        <location filename="../plugin/seams/window_summary.py" line="287"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="289"/>
+        <location filename="../plugin/seams/window_summary.py" line="297"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="292"/>
+        <location filename="../plugin/seams/window_summary.py" line="300"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="284"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="295"/>
+        <location filename="../plugin/seams/window_summary.py" line="303"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="318"/>
+        <location filename="../plugin/seams/window_summary.py" line="326"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="41"/>
+        <location filename="../plugin/seams/window_summary.py" line="42"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
@@ -9015,7 +9015,7 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="152"/>
+        <location filename="../plugin/seams/window_summary.py" line="159"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
@@ -9322,42 +9322,42 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="74"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="76"/>
+        <location filename="../plugin/seams/window_summary.py" line="83"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="78"/>
+        <location filename="../plugin/seams/window_summary.py" line="85"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="88"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="237"/>
+        <location filename="../plugin/seams/window_summary.py" line="245"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="261"/>
+        <location filename="../plugin/seams/window_summary.py" line="269"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="265"/>
+        <location filename="../plugin/seams/window_summary.py" line="273"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -9422,22 +9422,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="253"/>
+        <location filename="../plugin/seams/window_summary.py" line="261"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="219"/>
+        <location filename="../plugin/seams/window_summary.py" line="227"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="244"/>
+        <location filename="../plugin/seams/window_summary.py" line="252"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="250"/>
+        <location filename="../plugin/seams/window_summary.py" line="258"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -10259,7 +10259,7 @@
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="103"/>
+        <location filename="../plugin/seams/window_summary.py" line="110"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10498,7 +10498,7 @@
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="120"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="121"/>
         <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
@@ -10951,12 +10951,12 @@
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="80"/>
+        <location filename="../plugin/seams/window_summary.py" line="87"/>
         <source>images {value} px apart</source>
         <translation>obrazy przesunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="88"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
     </message>
@@ -11190,12 +11190,12 @@
         <translation>{width} × {height} m, {columns} × {rows} px, nie leży tam żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>How sure the observer is.</source>
         <translation>Jak pewny jest obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
         <source>How sure the second operator is.</source>
         <translation>Jak pewny jest drugi operator.</translation>
     </message>
@@ -11205,12 +11205,12 @@
         <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; już były: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="150"/>
+        <location filename="../plugin/seams/window_summary.py" line="157"/>
         <source>This follows from the mixture of the images; the ground around can&apos;t tell it.</source>
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
@@ -11285,12 +11285,12 @@
         <translation>Okna w najgorszych miejscach: {count}, szerokości {sides} m; już istniejące: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="327"/>
+        <location filename="../plugin/seams/window_summary.py" line="335"/>
         <source>Its curve lies lower all the same: curves are shares of all contrast, which tones change, too.</source>
         <translation>Mimo to jego krzywa leży niżej: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="329"/>
+        <location filename="../plugin/seams/window_summary.py" line="337"/>
         <source>Its curve lies higher all the same: curves are shares of all contrast, which tones change, too.</source>
         <translation>Mimo to jego krzywa leży wyżej: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>

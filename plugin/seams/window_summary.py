@@ -7,7 +7,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
+from ..imagery.limits import MAX_SIGNIFICANT_RATIO
+from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, shown_number, tr
 from .measure.judgement.causes import Cause, causes_taken
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
@@ -39,9 +40,15 @@ def judged_words(row: WindowRecord) -> list[str]:
     """Each number that the verdict looks at; empty where nothing was measured."""
     if row.reference == SEAM:
         lost = [] if row.loss is None else [filled(tr("loss: {area}"), area=shown_area(row.loss))]
-        return [*lost, *_kept_words(row), *_number_words(tr("sharpness 1: {value:.2f}"), row.sharpness)]
-    composite = _number_words(tr("composite: {value:.2f}"), row.composite_ratio)
-    return [*_number_words(tr("ratio 1: {value:.2f}"), row.ratio), *composite]
+        sharpness = _number_words(tr("sharpness 1: {value}"), row.sharpness, MAX_SIGNIFICANT_SHARPNESS_SQUARED**0.5)
+        return [*lost, *_kept_words(row), *sharpness]
+    composite = _number_words(tr("composite: {value}"), row.composite_ratio, MAX_SIGNIFICANT_RATIO)
+    return [*_number_words(tr("ratio 1: {value}"), row.ratio, MAX_SIGNIFICANT_RATIO), *composite]
+
+
+def two_digits(value: float | None, *limits: float) -> str:
+    """A ratio, with more digits where two would hide that it is beyond a limit; empty where it is not known."""
+    return "" if value is None else shown_number(value, decimals_beside(value, limits, 2))
 
 
 def shown_area(area_m2: float) -> str:
@@ -53,13 +60,13 @@ def _kept_words(row: WindowRecord) -> list[str]:
     if judged_kept(row) is None:
         return []
     if row.kept_low is None or row.kept_high is None:
-        return _number_words(tr("kept 1: {value:.2f}"), row.kept_1)
-    text = tr("kept 1: {value:.2f} ({low:.2f} to {high:.2f})")
-    return [filled(text, value=row.kept_1, low=row.kept_low, high=row.kept_high)]
+        return _number_words(tr("kept 1: {value}"), row.kept_1, MAX_SIGNIFICANT_KEPT)
+    value, low, high = (two_digits(kept, MAX_SIGNIFICANT_KEPT) for kept in (row.kept_1, row.kept_low, row.kept_high))
+    return [filled(tr("kept 1: {value} ({low} to {high})"), value=value, low=low, high=high)]
 
 
-def _number_words(text: str, value: float | None) -> list[str]:
-    return [] if value is None else [filled(text, value=value)]
+def _number_words(text: str, value: float | None, limit: float) -> list[str]:
+    return [] if value is None else [filled(text, value=two_digits(value, limit))]
 
 
 _TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
@@ -188,7 +195,8 @@ def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     left = tr("Detail at level 1 is {percent} % of the sources'")
     if row.composite_ratio is not None and abs(row.composite_ratio - ratio) > _APART:
         left = tr("Detail at level 1 is {percent} % of the sources' and {composite} % of their composite's")
-    left = filled(left, percent=percent(ratio), composite=percent(row.composite_ratio or 0.0))
+    of_sources, of_composite = (percent(left, MAX_SIGNIFICANT_RATIO) for left in (ratio, row.composite_ratio or 0.0))
+    left = filled(left, percent=of_sources, composite=of_composite)
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
@@ -284,11 +292,11 @@ def _interval(row: WindowRecord) -> list[str]:
     """How sure the number along the seam is, and what it means to an eye."""
     if row.kept_1 is None or row.kept_low is None or row.kept_high is None:
         return []
-    low, high = percent(row.kept_low), percent(row.kept_high)
+    kept, low, high = (percent(kept, MAX_SIGNIFICANT_KEPT) for kept in (row.kept_1, row.kept_low, row.kept_high))
     if not loss_place(row).is_along:
         text = tr("Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).")
-        return [] if loss_place(row).is_blurred else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
-    least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
+        return [] if loss_place(row).is_blurred else [filled(text, kept=kept, low=low, high=high)]
+    least, most = (percent(1 - kept, 1 - MAX_SIGNIFICANT_KEPT) for kept in (row.kept_high, row.kept_low))
     text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
     said = [filled(text, least=least, most=most)]
     if row.visibility is not None:  # by a model of an eye

@@ -9,6 +9,8 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, summary_words
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
@@ -18,7 +20,7 @@ from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window.window_tables import window_rows
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
-from seam_inspector.plugin.seams.window_summary import window_sentence, window_why
+from seam_inspector.plugin.seams.window_summary import judged_words, window_sentence, window_why
 
 from tests.qgis.seams.desk.windows_session import window
 
@@ -227,6 +229,19 @@ def test_curves_that_lie_apart_where_nothing_is_lost_are_explained(
     said = window_why(seam_row(**SOUND, ratios=(ratio,), composite_ratios=(composite,)))
     place = said.index("The window is as sharp as its sources.")
     assert [f"curve lies {words} all the same" in line for line in said[place + 1 :][:1]] == [True] * bool(words)
+
+
+def test_numbers_lie_on_their_side_of_their_limits(qgis_app: QgsApplication) -> None:
+    at_seam = seam_row(kept=(0.6996,), kept_low=0.62, kept_high=0.704)
+    assert judged_words(at_seam)[0] == "kept 1: 0.6996 (0.62 to 0.704)"
+    assert "between 29.6 and 38 %" in window_why(at_seam)[0]
+    by_ratio = replace(row("none"), ratios=(0.503,), composite_ratios=(0.4996,))
+    assert judged_words(by_ratio) == ["ratio 1: 0.503", "composite: 0.4996"]
+    (column,) = (column for column in COLUMNS if column.name == "ratio")
+    assert column.text(by_ratio) == "0.503"
+    assert summary_words(ShownProfile(replace(PROFILE, kept=(0.6996,), low=0.62, high=0.704), 0.1, 0.7)).startswith(
+        "69.96 % kept (62 to 70.4 %)"
+    )
 
 
 @pytest.mark.parametrize(("side_px", "width"), [(512, "28.0"), (280, "28.0"), (256, "at least 25.6")])

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qgis.PyQt.QtCore import QT_TR_NOOP, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 
+from ....imagery.limits import MAX_SIGNIFICANT_RATIO
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
-from ....toolkit.translation import filled, shown_number, tr
+from ....toolkit.translation import filled, tr
 from ...measure.window_records import SEAM
-from ...window_summary import shown_area, window_sentence, window_why
+from ...window_summary import shown_area, two_digits, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -118,7 +119,7 @@ COLUMNS = (
     TableColumn(
         "ratio", QT_TR_NOOP("ratio 1"),
         QT_TR_NOOP("Detail at level 1 in the mosaic as a multiple of the least sharp source's."),
-        lambda row: "" if row.ratio is None else shown_number(row.ratio), lambda row: row.ratio,
+        lambda row: two_digits(row.ratio, MAX_SIGNIFICANT_RATIO), lambda row: row.ratio,
         _ALIGNED_RIGHT,
     ),
     TableColumn(
