@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="277"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -369,7 +369,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="203"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="201"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -399,7 +399,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="318"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="310"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -459,47 +459,47 @@
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="151"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="155"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="131"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="130"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -509,12 +509,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -524,37 +524,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="212"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="211"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="232"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="237"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -619,7 +619,7 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="186"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -729,27 +729,27 @@
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="264"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="273"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="272"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="276"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
@@ -779,7 +779,7 @@
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="37"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
@@ -797,11 +797,6 @@
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
-        <source>Why the mosaic could not be compared with a source.</source>
-        <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/sources.py" line="269"/>
@@ -919,17 +914,17 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="94"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="92"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -939,12 +934,12 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="297"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
@@ -3754,12 +3749,12 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="197"/>
+        <location filename="../plugin/seams/window_summary.py" line="196"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="195"/>
+        <location filename="../plugin/seams/window_summary.py" line="194"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -4058,42 +4053,42 @@
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -4348,17 +4343,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="89"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="114"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4378,57 +4373,57 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="203"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="300"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="303"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -4743,42 +4738,42 @@
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="207"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="240"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="240"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="242"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4803,22 +4798,22 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="267"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="263"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="239"/>
+        <location filename="../plugin/seams/desk/judging.py" line="238"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="247"/>
+        <location filename="../plugin/seams/desk/judging.py" line="246"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="249"/>
+        <location filename="../plugin/seams/desk/judging.py" line="248"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -4893,11 +4888,6 @@
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="303"/>
-        <source>No picture yet: inspect windows</source>
-        <translation>Jeszcze brak obrazu: skontroluj okna</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/desk_keys.py" line="74"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
@@ -4913,19 +4903,14 @@
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="146"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
-        <source>The second operator&apos;s remark.</source>
-        <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/layer_styles.py" line="52"/>
@@ -4953,24 +4938,19 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="65"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="132"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="142"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="141"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
-        <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
-        <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
@@ -7345,7 +7325,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="207"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7575,7 +7555,7 @@
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="144"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -7644,7 +7624,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -7669,7 +7649,7 @@
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="167"/>
+        <location filename="../plugin/seams/window_summary.py" line="166"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7793,7 +7773,7 @@
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="327"/>
+        <location filename="../plugin/seams/window_summary.py" line="326"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7817,12 +7797,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="322"/>
+        <location filename="../plugin/seams/window_summary.py" line="321"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="321"/>
+        <location filename="../plugin/seams/window_summary.py" line="320"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8232,7 +8212,7 @@
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="184"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
@@ -8282,7 +8262,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="285"/>
+        <location filename="../plugin/seams/window_summary.py" line="284"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -8292,32 +8272,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="287"/>
+        <location filename="../plugin/seams/window_summary.py" line="286"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="297"/>
+        <location filename="../plugin/seams/window_summary.py" line="296"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="300"/>
+        <location filename="../plugin/seams/window_summary.py" line="299"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="284"/>
+        <location filename="../plugin/seams/window_summary.py" line="283"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="303"/>
+        <location filename="../plugin/seams/window_summary.py" line="302"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="326"/>
+        <location filename="../plugin/seams/window_summary.py" line="325"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -8930,7 +8910,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="268"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="264"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -9013,11 +8993,6 @@
         <location filename="../plugin/seams/report/mending_report.py" line="40"/>
         <source>metres {outcome}</source>
         <translation>metry: {outcome}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="159"/>
-        <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
-        <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="174"/>
@@ -9342,22 +9317,22 @@
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="245"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="244"/>
+        <location filename="../plugin/seams/window_summary.py" line="243"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="269"/>
+        <location filename="../plugin/seams/window_summary.py" line="268"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="273"/>
+        <location filename="../plugin/seams/window_summary.py" line="272"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -9422,22 +9397,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="261"/>
+        <location filename="../plugin/seams/window_summary.py" line="260"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="227"/>
+        <location filename="../plugin/seams/window_summary.py" line="226"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="252"/>
+        <location filename="../plugin/seams/window_summary.py" line="251"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="258"/>
+        <location filename="../plugin/seams/window_summary.py" line="257"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9607,7 +9582,7 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
@@ -9617,7 +9592,7 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="305"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="302"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -9769,7 +9744,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="237"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -9926,12 +9901,12 @@
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="452"/>
+        <location filename="../plugin/seams/desk/session.py" line="273"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="452"/>
+        <location filename="../plugin/seams/desk/session.py" line="273"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
@@ -10488,7 +10463,7 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="281"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="277"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
@@ -10662,12 +10637,12 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="135"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="113"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10807,7 +10782,7 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All compared windows are judged; {rest}.</source>
         <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
     </message>
@@ -10822,17 +10797,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="229"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="207"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="291"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10911,7 +10886,7 @@
         <translation>Na żywo: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="169"/>
         <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
     </message>
@@ -10919,26 +10894,6 @@
         <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
         <source>{count} have no curves in it: inspect them again.</source>
         <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="453"/>
-        <source>how sure you are of window {number}</source>
-        <translation>pewność oceny okna {number}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="453"/>
-        <source>how sure you are of {count} windows</source>
-        <translation>pewność oceny okien: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="450"/>
-        <source>remark on window {number}</source>
-        <translation>uwaga do okna {number}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="450"/>
-        <source>remark on {count} windows</source>
-        <translation>uwaga do okien: {count}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="123"/>
@@ -11175,7 +11130,7 @@
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
         <source>All windows at the worst places are judged.</source>
         <translation>Wszystkie okna w najgorszych miejscach są ocenione.</translation>
     </message>
@@ -11193,11 +11148,6 @@
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>How sure the observer is.</source>
         <translation>Jak pewny jest obserwator.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="142"/>
-        <source>How sure the second operator is.</source>
-        <translation>Jak pewny jest drugi operator.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="48"/>
@@ -11245,11 +11195,6 @@
         <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
-        <source>{judged} {count} {count:place has|places have} no window, as pixels are missing there.</source>
-        <translation>{judged} {count} {count:miejsce nie ma|miejsca nie mają|miejsc nie ma} okna, bo brakuje tam pikseli.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/messages.py" line="13"/>
         <source>No window there: pixels are missing. Draw a smaller one beside the edge.</source>
         <translation>Brak okna: brakuje tam pikseli. Narysuj mniejsze obok krawędzi.</translation>
@@ -11265,7 +11210,7 @@
         <translation>Zatrzymano badanie: badanej ortofotomapy nie ma już w projekcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="303"/>
+        <location filename="../plugin/seams/desk/session.py" line="304"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
     </message>
@@ -11285,14 +11230,14 @@
         <translation>Okna w najgorszych miejscach: {count}, szerokości {sides} m; już istniejące: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="335"/>
-        <source>Its curve lies lower all the same: curves are shares of all contrast, which tones change, too.</source>
-        <translation>Mimo to jego krzywa leży niżej: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
+        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <source>Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.</source>
+        <translation>Mimo to jego krzywa leży osobno: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="337"/>
-        <source>Its curve lies higher all the same: curves are shares of all contrast, which tones change, too.</source>
-        <translation>Mimo to jego krzywa leży wyżej: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
+        <location filename="../plugin/seams/window_summary.py" line="159"/>
+        <source>Other detail was added along the seam.</source>
+        <translation>Wzdłuż linii dodano inne szczegóły.</translation>
     </message>
 </context>
 </TS>

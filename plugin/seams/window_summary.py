@@ -154,10 +154,9 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
         said = [*_interval(row), _as_sentence(done)]
         profile = None if explanation is None else explanation.profile
         if profile is not None and profile.measure is Measure.MIXTURE:
-            words = tr("This follows from the mixture of the images; the ground around can't tell it.")
+            said.append(tr("This follows from the mixture of the images; the ground around can't tell it."))
             if profile.added_beside >= _MUCH_ADDED:
-                words = tr("This follows from the mixture of the images, since other detail was added along the seam.")
-            said.append(words)
+                said.append(tr("Other detail was added along the seam."))
         said += _sharpness(row, explanation)
         is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
         if row.reason and not is_sentence:
@@ -330,12 +329,9 @@ def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
 
 def _apart_curves(row: WindowRecord) -> list[str]:
     """Why curves are apart where nothing is lost: they are shares of a contrast that sharpness knows nothing of."""
-    ratios = [ratio for ratio in (row.ratio, row.composite_ratio) if ratio is not None]
-    if min(ratios, default=1.0) < 1 - _APART:
-        return [tr("Its curve lies lower all the same: curves are shares of all contrast, which tones change, too.")]
-    if max(ratios, default=1.0) > 1 + _APART:
-        return [tr("Its curve lies higher all the same: curves are shares of all contrast, which tones change, too.")]
-    return []
+    is_apart = any(abs(ratio - 1) > _APART for ratio in (row.ratio, row.composite_ratio) if ratio is not None)
+    words = tr("Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.")
+    return [words] if is_apart else []
 
 
 def is_same(first: float | None, other: float | None) -> bool:

@@ -5,8 +5,6 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import takewhile
-from string import ascii_letters, digits
 from typing import TYPE_CHECKING, NamedTuple, Union
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
@@ -250,7 +248,6 @@ class CurvesPainter(ChartPainter):
 
 
 _SHOWN_CHARACTERS = 8  # of a name in the legend at least, so that two fit into a narrow dock
-_LETTERS = ascii_letters + digits
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
 _MOST_OF_ROOM = 0.35  # that the legend takes
 _PIECE_LINES = 1.2  # length of a line's piece, in lines of the font
@@ -260,7 +257,6 @@ class LegendEntry(NamedTuple):
     """A name in the legend, and what stands before it."""
 
     name: str
-    brief: str  # where there is no room for that
     colour: str
     dashes: PenStyle = Qt.PenStyle.SolidLine
     width: float = 0.11  # of its line, and the radius of its point, in lines of the font
@@ -279,7 +275,7 @@ class LegendedCurves(CurvesPainter):
         rows = max(1, min(-(-len(self.entries) // across), most_rows))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)
-            self.entries[across * rows - 1 :] = [LegendEntry(more, more, style.background)]
+            self.entries[across * rows - 1 :] = [LegendEntry(more, style.background)]
         self._across = across
         self._legend = QRectF(room)
         self._legend.setTop(room.bottom() - (rows + 0.3) * metrics.height())
@@ -301,31 +297,15 @@ class LegendedCurves(CurvesPainter):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QColor(self.style.text))
             room = width - (end - left) - 0.75 * line
-            words = entry.name if self.metrics.horizontalAdvance(entry.name) <= room else entry.brief
-            words = self.metrics.elidedText(words, Qt.TextElideMode.ElideMiddle, room)
+            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideMiddle, room)
             painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
 
 
 def _entries(chart: Chart, style: ChartStyle) -> list[LegendEntry]:
     entries = []
-    sources = [curve.label for curve in chart.curves if not (curve.is_mosaic or curve.is_composite)]
-    briefs = dict(zip(sources, told_apart(sources)))
     for number, curve in numbered(chart.curves):
         size = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
-        brief = tr("mosaic") if curve.is_mosaic else printable(briefs.get(curve.label, curve.label))
-        entries.append(LegendEntry(printable(curve.label), brief, *curve_look(curve, number, style), *size))
+        entries.append(LegendEntry(printable(curve.label), *curve_look(curve, number, style), *size))
     if significance_limit(chart.curves, chart.max_ratio) is not None:
-        entries.append(LegendEntry(tr("limit"), tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
+        entries.append(LegendEntry(tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
     return entries
-
-
-def told_apart(names: Sequence[str]) -> list[str]:
-    """Names without the words that all begin and end with: ``…0027…`` of ``DJI_0027_ortho.tif``."""
-    begin, end = _beginning(names).rstrip(_LETTERS), _beginning([name[::-1] for name in names])[::-1].lstrip(_LETTERS)
-    if len(names) < 2 or any(len(name) <= len(begin) + len(end) for name in names):
-        return list(names)
-    return ["…" * bool(begin) + name[len(begin) : len(name) - len(end)] + "…" * bool(end) for name in names]
-
-
-def _beginning(names: Sequence[str]) -> str:
-    return "".join(letters[0] for letters in takewhile(lambda letters: len(set(letters)) == 1, zip(*names)))

@@ -139,13 +139,10 @@ COLUMNS = (
               QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification.")),
     _observed("observer_2", QT_TR_NOOP("observer 2"), QT_TR_NOOP("What the second operator saw at 2x magnification.")),
     _plain("confidence", QT_TR_NOOP("sure (%)"), QT_TR_NOOP("How sure the observer is."), _ALIGNED_RIGHT),
-    _plain("confidence_2", QT_TR_NOOP("sure 2 (%)"), QT_TR_NOOP("How sure the second operator is."), _ALIGNED_RIGHT),
     _plain("remark", QT_TR_NOOP("remark"), QT_TR_NOOP("The observer's remark.")),
-    _plain("remark_2", QT_TR_NOOP("remark 2"), QT_TR_NOOP("The second operator's remark.")),
-    _plain("reason", QT_TR_NOOP("reason"), QT_TR_NOOP("Why the mosaic could not be compared with a source.")),
 )  # fmt: skip
 """From left to right; those that stand empty, or there is no room for, are left out."""
-_SAID = ("observer_2", "confidence", "confidence_2", "remark", "remark_2")
+_SAID = ("observer_2", "confidence", "remark")
 
 
 def used_columns(rows: Sequence[WindowRecord]) -> frozenset[str]:

@@ -19,6 +19,7 @@ class FakeSession(QObject):
 
     inputsChanged = pyqtSignal()
     liveChanged = pyqtSignal()
+    messageRaised = pyqtSignal(str, int)
     windowsChanged = pyqtSignal()
     progressChanged = pyqtSignal(int, int)
 

@@ -12,7 +12,7 @@ from qgis.PyQt.QtGui import QColor, QHelpEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QToolTip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves, told_apart
+from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import CurvesChart
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
@@ -216,13 +216,6 @@ def test_of_many_sources_as_many_stand_in_the_legend_as_there_is_room_for(
     names = labels(panel)
     assert names[:2] == ["mosaic.tif", "ortho_2024_flight_0412_0031.tif"]
     assert names[-1] == f"and {43 - len(names)} more"  # of 42 names and this one
-
-
-def test_names_that_do_not_fit_are_told_apart() -> None:
-    assert told_apart(["DJI_0027_ortho.tif", "DJI_0031_ortho.tif"]) == ["…0027…", "…0031…"]
-    assert told_apart(["a1.tif", "b.tif"]) == ["a1…", "b…"]
-    for alike in (["a.tif"], ["a.tif", "a.tif"], []):
-        assert told_apart(alike) == alike
 
 
 # when it draws
