@@ -28,7 +28,7 @@ def draw_curves(axes: Axes, curves: Sequence[ChartCurve], max_ratio: float) -> N
         axes.fill_between(reach, limit, limit * 1e-9, color=PAPER.limit, alpha=0.15, linewidth=0)
         axes.plot(reach, [limit, limit], color=PAPER.limit, linewidth=2, label="significant loss below")
     for number, curve in sorted(numbered(curves), key=lambda one: one[1].is_mosaic):
-        colour, line = source_look(number if curve.colour is None else curve.colour, PAPER)
+        colour, line = source_look(number, PAPER)
         if curve.is_mosaic or curve.is_composite:
             colour, line = PAPER.text, "--" if curve.is_composite else "-"
         width, size, order = (2.6, 5.0, 4) if curve.is_mosaic else (1.2, 3.0, 3)

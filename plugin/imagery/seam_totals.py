@@ -112,8 +112,9 @@ METRES, NEIGHBOURS = "metres", "neighbours"
 """Keys, likewise and in what a scan tells, of the length of all its pieces, and of how many sheets it looked into."""
 _SEAL, _FAILED = "digest", "failed_metres"
 _SEALED = (
-    "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",
-    "profile", "verdict", "left_source", "right_source", "left_date", "right_date", "sheet", "sample", "lot_size",
+    "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "feather_width",
+    "visibility", "profile", "verdict", "left_source", "right_source", "left_date", "right_date", "sheet", "sample",
+    "lot_size",
 )  # fmt: skip
 """All fields that a decision reads, but words for people."""
 
@@ -134,8 +135,7 @@ class RowTotals:
 
         place = hashlib.sha256((np.asarray(line, "<f8") + 0.0).tobytes()).hexdigest()
         self._lines.append("\t".join((*map(_written, map(row.get, _SEALED)), place)))
-        length = row.get("length")
-        if row.get("level") != STRETCH and isinstance(length, (int, float)):
+        if row.get("level") != STRETCH and isinstance(length := row.get("length"), (int, float)):
             self._metres.append(length)
             if row.get("state") == PieceState.FAILED.value:
                 self._failed.append(length)

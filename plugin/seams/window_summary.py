@@ -7,15 +7,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
-from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.limits import (
-    MAX_SIGNIFICANT_KEPT,
-    MAX_SIGNIFICANT_SHARPNESS_SQUARED,
-    MIN_MISREGISTRATION_PX,
-    SHARPNESS_TOLERANCE,
-)
-from .measure.profile.seam_profile import Measure
+from ..imagery.limits import MAX_SIGNIFICANT_RATIO
+from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, shown_number, tr
+from .measure.judgement.causes import Cause, causes_taken
+from .measure.judgement.loss_place import LossPlace
+from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
+from .measure.profile.seam_profile import Measure, SeamProfile
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
     CAUSES,
@@ -35,7 +32,7 @@ if TYPE_CHECKING:
 
 def judged_kept(row: WindowRecord) -> float | None:
     """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
-    is_by_seam = row.verdict == "preserved" or is_lost_along_the_seam(row)
+    is_by_seam = row.verdict == "preserved" or loss_place(row).is_along
     return row.kept_1 if row.reference == SEAM and is_by_seam else None
 
 
@@ -43,9 +40,15 @@ def judged_words(row: WindowRecord) -> list[str]:
     """Each number that the verdict looks at; empty where nothing was measured."""
     if row.reference == SEAM:
         lost = [] if row.loss is None else [filled(tr("loss: {area}"), area=shown_area(row.loss))]
-        return [*lost, *_kept_words(row), *_number_words(tr("sharpness 1: {value:.2f}"), row.sharpness)]
-    composite = _number_words(tr("composite: {value:.2f}"), row.composite_ratio)
-    return [*_number_words(tr("ratio 1: {value:.2f}"), row.ratio), *composite]
+        sharpness = _number_words(tr("sharpness 1: {value}"), row.sharpness, MAX_SIGNIFICANT_SHARPNESS_SQUARED**0.5)
+        return [*lost, *_kept_words(row), *sharpness]
+    composite = _number_words(tr("composite: {value}"), row.composite_ratio, MAX_SIGNIFICANT_RATIO)
+    return [*_number_words(tr("ratio 1: {value}"), row.ratio, MAX_SIGNIFICANT_RATIO), *composite]
+
+
+def two_digits(value: float | None, *limits: float) -> str:
+    """A ratio, with more digits where two would hide that it is beyond a limit; empty where it is not known."""
+    return "" if value is None else shown_number(value, decimals_beside(value, limits, 2))
 
 
 def shown_area(area_m2: float) -> str:
@@ -57,27 +60,19 @@ def _kept_words(row: WindowRecord) -> list[str]:
     if judged_kept(row) is None:
         return []
     if row.kept_low is None or row.kept_high is None:
-        return _number_words(tr("kept 1: {value:.2f}"), row.kept_1)
-    text = tr("kept 1: {value:.2f} ({low:.2f} to {high:.2f})")
-    return [filled(text, value=row.kept_1, low=row.kept_low, high=row.kept_high)]
+        return _number_words(tr("kept 1: {value}"), row.kept_1, MAX_SIGNIFICANT_KEPT)
+    value, low, high = (two_digits(kept, MAX_SIGNIFICANT_KEPT) for kept in (row.kept_1, row.kept_low, row.kept_high))
+    return [filled(tr("kept 1: {value} ({low} to {high})"), value=value, low=low, high=high)]
 
 
-def _number_words(text: str, value: float | None) -> list[str]:
-    return [] if value is None else [filled(text, value=value)]
+def _number_words(text: str, value: float | None, limit: float) -> list[str]:
+    return [] if value is None else [filled(text, value=two_digits(value, limit))]
 
 
 _TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
 _FEW_M2 = 10.0
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
 _LEAST_TAKEN = 0.005  # of the window's finest detail
-
-
-def _is_at_seam(cause: str, explanation: Explanation | None) -> bool:
-    return cause in (*ALONG_THE_SEAM, Cause.UNCLEAR) or _is_softened_seam(cause, explanation)
-
-
-def _is_softened_seam(cause: str, explanation: Explanation | None) -> bool:
-    return cause == Cause.BLUR and explanation is not None and explanation.evidence.is_smoothed_seam
 
 
 def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
@@ -91,7 +86,7 @@ def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     px = _misfit_px(row)
     apart = "" if px is None else filled(tr("images {value} px apart"), value=shown_number(px, 1))
     words = {Cause.MISREGISTRATION.value: apart or tr("images do not fit"), Cause.FEATHERING.value: tr("feathered")}
-    return ", ".join(dict.fromkeys(filter(None, (*map(words.get, causes), apart))))
+    return ", ".join(filter(None, map(words.get, causes)))
 
 
 def _misfit_px(row: WindowRecord) -> float | None:
@@ -101,14 +96,13 @@ def _misfit_px(row: WindowRecord) -> float | None:
 
 def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_the_seam: bool = False) -> str:
     """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
-    causes = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
-    at_seam = [cause for cause in causes if _is_at_seam(cause, explanation)]
-    causes = at_seam[:1] if along_the_seam else causes
-    return "; ".join(filter(None, (_clause(cause, row, explanation, width) for cause in causes)))
+    causes = loss_place(row).at_seam(_causes_of(row))[:1] if along_the_seam else _causes_of(row)
+    clauses = (_clause(cause, row, explanation, width) for cause in causes if cause not in _TOLD_BEFORE)
+    return "; ".join(filter(None, clauses))
 
 
 def _clause(cause: str, row: WindowRecord, explanation: Explanation | None, width: str) -> str:
-    if _is_softened_seam(cause, explanation):
+    if cause == Cause.BLUR and cause in loss_place(row).at_seam(_causes_of(row)):
         return tr("the mosaic is softened along the seam")
     is_of_images = cause in (Cause.FEATHERING, Cause.MISREGISTRATION)
     clause = cause_clause(cause, explanation, _misfit_px(row) if is_of_images else None)
@@ -121,7 +115,7 @@ def _as_sentence(clause: str) -> str:
     return f"{clause[:1].upper()}{clause[1:]}." if clause else ""
 
 
-_APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
+_APART = 0.05  # a ratio that differs by less from another, or from 1, is not told beside it
 _AS_SHARP = 0.03  # of the sharpness: less is not told
 _UNEXPLAINED = 0.005  # of the pixels
 _ALL_KEPT = 0.97  # less is said to be less, though the interval holds 1
@@ -129,11 +123,14 @@ _NOT_COMPARABLE = "not_comparable"
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
-def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> str:
+def window_sentence(
+    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None,
+    profile: SeamProfile | None = None,
+) -> str:
     """Verdict; where and how much; by what; what to do. With its result the numbers of the cause are told too.
 
     A result that is not the one in the row, as after an undo, is left aside. ``pixel_m``: the mosaic's pixel size,
-    where there is no result to say it.
+    and ``profile``, where there is no result to say them.
     """
     if not row.verdict:
         return verdict_sentence("")
@@ -141,7 +138,8 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel
     if row.verdict == _NOT_COMPARABLE:
         sentence = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
-        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, _width(row, result, pixel_m))])
+        width = _width(row, result, pixel_m, profile)
+        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, width)])
     else:
         sentence = _by_ratio(row, why)
     return filled(tr("{finding} Changed since: inspect it again."), finding=sentence) if row.stale else sentence
@@ -156,10 +154,9 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
         said = [*_interval(row), _as_sentence(done)]
         profile = None if explanation is None else explanation.profile
         if profile is not None and profile.measure is Measure.MIXTURE:
-            words = tr("This follows from the mixture of the images; the ground around can't tell it.")
+            said.append(tr("This follows from the mixture of the images; the ground around can't tell it."))
             if profile.added_beside >= _MUCH_ADDED:
-                words = tr("This follows from the mixture of the images, since other detail was added along the seam.")
-            said.append(words)
+                said.append(tr("Other detail was added along the seam."))
         said += _sharpness(row, explanation)
         is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
         if row.reason and not is_sentence:
@@ -171,17 +168,19 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     return list(filter(None, said))
 
 
-def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
+def _width(
+    row: WindowRecord, result: WindowResult | None, pixel_m: float | None, profile: SeamProfile | None = None
+) -> str:
     if result is None:
-        return seam_width_words(row.band_width, row.feather_width, pixel_m)
+        return seam_width_words(row.band_width, row.feather_width, pixel_m, profile=profile)
     pixel_m = result.ground_sample_distance
-    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m)
+    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m, result.profile)
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
     """The explanation behind what the row holds; None when it is not at hand."""
     explanation = result.explanation if result is not None else None
-    if result is None or explanation is None or explanation.cause.value != row.cause:
+    if result is None or explanation is None or result.causes[0].value != row.cause:
         return None
     return explanation if all(map(is_same, row.ratios, result.judgement.ratios.detail)) else None
 
@@ -195,31 +194,21 @@ def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     left = tr("Detail at level 1 is {percent} % of the sources'")
     if row.composite_ratio is not None and abs(row.composite_ratio - ratio) > _APART:
         left = tr("Detail at level 1 is {percent} % of the sources' and {composite} % of their composite's")
-    left = filled(left, percent=percent(ratio), composite=percent(row.composite_ratio or 0.0))
+    of_sources, of_composite = (percent(left, MAX_SIGNIFICANT_RATIO) for left in (ratio, row.composite_ratio or 0.0))
+    left = filled(left, percent=of_sources, composite=of_composite)
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
-def is_lost_along_the_seam(row: WindowRecord) -> bool:
-    """Whether the loss that was found lies there; what is kept there says nothing where the whole is blurred badly."""
-    has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
-    return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not _is_blurred(row)
+def loss_place(row: WindowRecord) -> LossPlace:
+    """The place of the loss of a window that was judged by its seam."""
+    return LossPlace(row.verdict, row.kept_1, row.kept_high, row.sharpness)
 
 
 def painted_width_m(row: WindowRecord, result: WindowResult | None) -> float:
     """How far across its seam the loss of a window is painted: as wide as it is told. 0 where more took detail than the
     seam, or nothing is told, and all that was measured is painted."""
-    is_alone = is_lost_along_the_seam(row) and not _is_whole_soft(row, explanation_of(row, result))
+    is_alone = loss_place(row).is_along and not _is_whole_soft(row, explanation_of(row, result))
     return max(row.band_width or 0.0, row.feather_width or 0.0) if is_alone else 0.0
-
-
-def _is_blurred(row: WindowRecord) -> bool:
-    """Whether the whole is blurred so badly that the ground around tells nothing of the seam."""
-    return _kept_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
-
-
-def _kept_in_whole(row: WindowRecord) -> float:
-    """Share of the finest detail energy of the window's sources; all where that is not known."""
-    return 1.0 if row.sharpness is None else row.sharpness**2
 
 
 def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str) -> list[str]:
@@ -228,40 +217,18 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
-    is_along, causes = is_lost_along_the_seam(row), _told_causes(row, explanation)
-    said, in_all = _lost_in_whole(row, 1 - _kept_in_whole(row), is_along), []
-    if _is_seam_decisive(row):
+    place = loss_place(row)
+    causes = place.decisive(_causes_of(row))
+    said, in_all = _lost_in_whole(row, place), []
+    if place.is_decisive:
         said = _lost_along(1 - (row.kept_1 or 0.0), width)
         if row.loss is not None and _is_whole_soft(row, explanation):
             in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
     brief = CAUSES[causes[0]].brief if causes and causes[0] in CAUSES else ""
     clause = tr(brief) if brief else ""
-    if causes and _is_at_seam(causes[0], explanation):
+    if causes and causes[0] in place.at_seam(causes):
         clause = _brief_at_seam(causes, row)
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]
-
-
-def _is_seam_decisive(row: WindowRecord) -> bool:
-    """Whether the seam took the more, or made the verdict."""
-    is_more = (row.kept_1 or 0.0) <= _kept_in_whole(row)
-    is_alone = row.verdict == "significant" or not _is_whole_soft(row, None)
-    return is_lost_along_the_seam(row) and (is_alone or is_more)
-
-
-def _told_causes(row: WindowRecord, explanation: Explanation | None) -> list[str]:
-    """What took the detail that the sentence tells of, along the seam or in the whole, the strongest first: the first
-    is named everywhere, and what can be done is about that."""
-    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)]
-    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)]
-    if _is_seam_decisive(row):
-        return at_seam or in_whole * _is_whole_soft(row, None)
-    return in_whole
-
-
-def told_cause(row: WindowRecord) -> str:
-    """The one cause that is named of a window: the one that its sentence tells first."""
-    is_of_loss = row.reference == SEAM and row.verdict in LOSSES
-    return next(iter(_told_causes(row, None) if is_of_loss else ()), row.cause)
 
 
 def _causes_of(row: WindowRecord) -> list[str]:
@@ -269,7 +236,7 @@ def _causes_of(row: WindowRecord) -> list[str]:
 
 
 def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
-    return _kept_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2 if explanation is None else explanation.ground_left < 1
+    return loss_place(row).is_whole_soft if explanation is None else explanation.ground_left < 1
 
 
 def _lost_along(lost: float, width: str) -> str:
@@ -279,18 +246,17 @@ def _lost_along(lost: float, width: str) -> str:
     return filled(text, lost=percent(lost, 1 - MAX_SIGNIFICANT_KEPT), width=width)
 
 
-def _lost_in_whole(row: WindowRecord, lost: float, is_along: bool) -> str:
-    """``is_along``: more of it was lost along the seam, of the ground around it."""
-    limit = 1 - MAX_SIGNIFICANT_SHARPNESS_SQUARED
+def _lost_in_whole(row: WindowRecord, place: LossPlace) -> str:
+    lost, limit = 1 - place.kept_in_whole, 1 - MAX_SIGNIFICANT_SHARPNESS_SQUARED
     said = filled(tr("{lost} % of the window's detail lost"), lost=percent(lost, limit))
     more = [] if row.loss is None else [shown_area(row.loss)]
     if row.verdict == "reduced" and lost > 1 - MAX_SIGNIFICANT_KEPT:  # which would be significant along a seam
         more.append(filled(tr("limit {percent} %"), percent=percent(limit)))
     said = f"{said} ({'; '.join(more)})" if more else said
-    if is_along:
+    if place.is_along:  # of the ground around it
         text = tr("{said}, {lost} % of the rest along the seam")
         return filled(text, said=said, lost=percent(1 - (row.kept_1 or 0.0), 1 - MAX_SIGNIFICANT_KEPT))
-    is_even = not _is_blurred(row) and (row.kept_1 or 0.0) >= _ALL_KEPT
+    is_even = not place.is_blurred and (row.kept_1 or 0.0) >= _ALL_KEPT
     return filled(tr("{said}, no more along the seam"), said=said) if is_even else said
 
 
@@ -325,11 +291,11 @@ def _interval(row: WindowRecord) -> list[str]:
     """How sure the number along the seam is, and what it means to an eye."""
     if row.kept_1 is None or row.kept_low is None or row.kept_high is None:
         return []
-    low, high = percent(row.kept_low), percent(row.kept_high)
-    if not is_lost_along_the_seam(row):
+    kept, low, high = (percent(kept, MAX_SIGNIFICANT_KEPT) for kept in (row.kept_1, row.kept_low, row.kept_high))
+    if not loss_place(row).is_along:
         text = tr("Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).")
-        return [] if _is_blurred(row) else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
-    least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
+        return [] if loss_place(row).is_blurred else [filled(text, kept=kept, low=low, high=high)]
+    least, most = (percent(1 - kept, 1 - MAX_SIGNIFICANT_KEPT) for kept in (row.kept_high, row.kept_low))
     text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
     said = [filled(text, least=least, most=most)]
     if row.visibility is not None:  # by a model of an eye
@@ -344,7 +310,7 @@ def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
     if row.sharpness is None:
         return []
     taken = {} if explanation is None else {cause.value: share for cause, share in causes_taken(explanation.evidence)}
-    at_seam = [cause for cause in taken if _is_at_seam(cause, explanation)]
+    at_seam = loss_place(row).at_seam(list(taken))
     shares = [
         words for cause in _causes_of(row)
         if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := loss_words(cause, taken[cause]))
@@ -356,9 +322,16 @@ def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
         left, sharpness = percent(row.sharpness**2), percent(row.sharpness)
         return [filled(text, left=left, sharpness=sharpness, took=", ".join(shares))]
     if abs(row.sharpness - 1) < _AS_SHARP:
-        return [tr("The window is as sharp as its sources.")]
+        return [tr("The window is as sharp as its sources."), *_apart_curves(row)]
     text = tr("The whole window has {percent} % of the sharpness of its sources.")
     return [filled(text, percent=percent(row.sharpness))]
+
+
+def _apart_curves(row: WindowRecord) -> list[str]:
+    """Why curves are apart where nothing is lost: they are shares of a contrast that sharpness knows nothing of."""
+    is_apart = any(abs(ratio - 1) > _APART for ratio in (row.ratio, row.composite_ratio) if ratio is not None)
+    words = tr("Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.")
+    return [words] if is_apart else []
 
 
 def is_same(first: float | None, other: float | None) -> bool:

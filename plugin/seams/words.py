@@ -7,19 +7,20 @@ colours for the windows' pictures, the map and the scan, so that all compare.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, log
+from math import inf, isfinite, log
 from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.judgement.causes import MIN_GAIN_RATIO, Cause
-from .measure.profile.seam_profile import WIDEST_FEATHER_PX
+from .measure.profile.seam_profile import BAND_KEPT, STRIP_PX, WIDEST_FEATHER_PX
 
 if TYPE_CHECKING:
     import numpy as np
 
     from .measure.judgement.explanation import Explanation
+    from .measure.profile.seam_profile import SeamProfile
     from .measure.profile.window_detail import LossPicture
 
 
@@ -65,19 +66,23 @@ _ENDLESS = 0.999  # of the widest feather: layers may keep a few digits only
 
 
 def seam_width_words(
-    band_m: float | None, feather_m: float | None, pixel_m: float | None = None, window_m: float = inf
+    band_m: float | None, feather_m: float | None, pixel_m: float | None = None, window_m: float = inf,
+    profile: SeamProfile | None = None,
 ) -> str:
     """How wide a seam took detail, metres; empty for a cut. It is the one width of a seam that is told anywhere.
 
     A feather loses detail from end to end of its mixture, another loss in its band: the wider one. ``pixel_m``: the
     mosaic's pixel size, by which a feather is known that does not end as far as one is looked for. ``window_m``: the
-    longer side of the window that is judged, beyond which ground was read and nothing is told.
+    longer side of the window that is judged, beyond which ground was read and nothing is told. ``profile``: by which a
+    band is known that does not end as far as it was measured.
     """
     metres = max(band_m or 0.0, feather_m or 0.0)
     if metres < _LEAST_WIDTH_M:
         return ""
     is_endless = pixel_m is not None and (feather_m or 0.0) > _ENDLESS * WIDEST_FEATHER_PX * pixel_m
-    is_endless = is_endless or metres > window_m + _LEAST_WIDTH_M
+    known = [] if profile is None else [bin_ for bin_ in profile.bins if bin_.level == 1 and isfinite(bin_.far_px)]
+    beyond = [bin_.kept for bin_ in known if bin_.far_px > STRIP_PX]
+    is_endless = is_endless or metres > window_m + _LEAST_WIDTH_M or max(beyond, default=1.0) < BAND_KEPT
     width = shown_number(min(metres, window_m), 1)
     return filled(tr("at least {width}"), width=width) if is_endless else width
 

@@ -87,7 +87,7 @@
             <Option type="QString" name="dash_pattern_offset_unit" value="MM"/>
             <Option type="QString" name="draw_inside_polygon" value="0"/>
             <Option type="QString" name="joinstyle" value="round"/>
-            <Option type="QString" name="line_color" value="213,94,0,255"/>
+            <Option type="QString" name="line_color" value="142,1,82,255"/>
             <Option type="QString" name="line_style" value="solid"/>
             <Option type="QString" name="line_width" value="1.5"/>
             <Option type="QString" name="line_width_unit" value="MM"/>
@@ -115,7 +115,7 @@
           <prop v="MM" k="dash_pattern_offset_unit"/>
           <prop v="0" k="draw_inside_polygon"/>
           <prop v="round" k="joinstyle"/>
-          <prop v="213,94,0,255" k="line_color"/>
+          <prop v="142,1,82,255" k="line_color"/>
           <prop v="solid" k="line_style"/>
           <prop v="1.5" k="line_width"/>
           <prop v="MM" k="line_width_unit"/>
@@ -282,6 +282,6 @@
       </editWidget>
     </field>
   </fieldConfiguration>
-  <mapTip>&lt;b>[% /*tr*/'F' || replace(to_string("defect"), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) %] [% coalesce(replace("sheet", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b>, [% format_number("length", 1) %] m&lt;br>[% coalesce(/*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", if(round(100 * "kept_1") != 70 or 100 * "kept_1" = 70, 0, if(round(100 * "kept_1", 1) != 70, 1, 2))) || ' % (' || format_number(100 * "kept_low", 0) || '–' || format_number(100 * "kept_high", 0) || ' %)' || if("band_width" > 0, ', ' || /*tr*/'width of the band' || ': ' || format_number("band_width", 2) || ' m', ''), '') %]&lt;br>[% coalesce(replace("left_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || replace("left_date", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) || ')', '') %] | [% coalesce(replace("right_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || replace("right_date", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) || ')', '') %][% coalesce('&lt;br>' || replace("cause", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br>' || replace("remark", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% if(regexp_match("picture", '^(/(?!/)|[A-Za-z]:[/\\\\])?[^/\\\\&lt;>"?#:][^&lt;>"?#:]*defect_[0-9]+[.]jpg$') > 0, '&lt;br>&lt;img width="480" src="file:///' || if(left("picture", 1) = '/' or substr("picture", 2, 1) = ':', "picture", file_path(decode_uri(@layer, 'path')) || '/' || "picture") || '">', '') %]</mapTip>
+  <mapTip>&lt;b>[% /*tr*/'F' || replace(to_string("defect"), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) %] [% coalesce(replace("sheet", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b>, [% format_number("length", 1) %] m&lt;br>[% coalesce(/*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", if(round(100 * "kept_1") != 70 or 100 * "kept_1" = 70, 0, if(round(100 * "kept_1", 1) != 70, 1, 2))) || ' % (' || format_number(100 * "kept_low", if(round(100 * "kept_low") != 70 or 100 * "kept_low" = 70, 0, if(round(100 * "kept_low", 1) != 70, 1, 2))) || '–' || format_number(100 * "kept_high", if(round(100 * "kept_high") != 70 or 100 * "kept_high" = 70, 0, if(round(100 * "kept_high", 1) != 70, 1, 2))) || ' %)' || if("band_width" >= 0.05, ', ' || /*tr*/'in a width of' || ' ' || format_number("band_width", 1) || ' m', ''), '') %]&lt;br>[% coalesce(replace("left_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || replace("left_date", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) || ')', '') %] | [% coalesce(replace("right_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || replace("right_date", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) || ')', '') %][% coalesce('&lt;br>' || replace("cause", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br>' || replace("remark", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% if(regexp_match("picture", '^(/(?!/)|[A-Za-z]:[/\\\\])?[^/\\\\&lt;>"?#:][^&lt;>"?#:]*defect_[0-9]+[.]jpg$') > 0, '&lt;br>&lt;img width="480" src="file:///' || if(left("picture", 1) = '/' or substr("picture", 2, 1) = ':', "picture", file_path(decode_uri(@layer, 'path')) || '/' || "picture") || '">', '') %]</mapTip>
   <layerGeometryType>1</layerGeometryType>
 </qgis>

@@ -62,14 +62,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(255,255,255,190))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.7" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -205,14 +229,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,110))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.4" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -348,14 +396,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(255,255,255,170))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.4" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -491,14 +563,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.1" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -634,14 +730,38 @@
                 <Option type="Map">
                   <Option name="name" value="" type="QString"/>
                   <Option name="properties" type="Map">
-                    <Option name="outlineColor" type="Map">
+                    <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1)" type="QString"/>
+                      <Option name="type" value="3" type="int"/>
+                    </Option>
+                  </Option>
+                  <Option name="type" value="collection" type="QString"/>
+                </Option>
+              </data_defined_properties>
+            </layer>
+            <layer pass="0" enabled="1" class="SimpleFill" locked="1">
+              <Option type="Map">
+                <Option name="color" value="0,0,0,0" type="QString"/>
+                <Option name="joinstyle" value="miter" type="QString"/>
+                <Option name="outline_color" value="0,0,0,255" type="QString"/>
+                <Option name="outline_style" value="no" type="QString"/>
+                <Option name="outline_width" value="1.1" type="QString"/>
+                <Option name="outline_width_unit" value="MM" type="QString"/>
+                <Option name="style" value="no" type="QString"/>
+              </Option>
+              <data_defined_properties>
+                <Option type="Map">
+                  <Option name="name" value="" type="QString"/>
+                  <Option name="properties" type="Map">
+                    <Option name="outlineStyle" type="Map">
+                      <Option name="active" value="true" type="bool"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 'solid', 'no')" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + 0.5" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -782,7 +902,7 @@
   </labeling>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
-  <mapTip>&lt;b&gt;[% /*tr*/'Window' || ' ' || coalesce(replace(to_string("window_id"), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b&gt;: [% map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable', '', /*tr*/'not inspected'), coalesce("verdict", '')) %][% coalesce('&lt;br&gt;' || replace(attribute('reason'), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br&gt;' || if(attribute('loss') > 0, /*tr*/'loss' || ': ' || format_number(attribute('loss'), if(attribute('loss') >= 10, 0, 1)) || ' m²', NULL), '') %][% coalesce('&lt;br&gt;' || if(attribute('reference') = 'seam', if(attribute('kept_high') &lt; 1 OR attribute('verdict') = 'preserved', /*tr*/'kept along the seam' || ': ' || format_number(100 * attribute('kept_1'), 0) || ' % (' || format_number(100 * attribute('kept_low'), 0) || '–' || format_number(100 * attribute('kept_high'), 0) || ' %)' || if(max(coalesce(attribute('band_width'), 0), coalesce(attribute('feather_width'), 0)) >= 0.05, ', ' || /*tr*/'in a width of' || ' ' || format_number(max(coalesce(attribute('band_width'), 0), coalesce(attribute('feather_width'), 0)), 1) || ' m', ''), NULL), /*tr*/'ratio 1' || ': ' || format_number(attribute('ratio_1'), 2)), '') %][% coalesce('&lt;br&gt;' || /*tr*/'visibility at 2x (JND)' || ': ' || format_number(attribute('visibility'), 1), '') %][% if(attribute('misfit') >= 0.5, '&lt;br&gt;' || /*tr*/'images apart in the mosaic (px)' || ': ' || format_number(attribute('misfit'), 1), '') %][% coalesce('&lt;br&gt;' || array_to_string(array_foreach(string_to_array(attribute('causes'), '; '), coalesce(map_get(map('missing source', /*tr*/'missing source', 'misregistration', /*tr*/'misregistration', 'feathering', /*tr*/'feathering', 'other mixture', /*tr*/'other mixture', 'blur', /*tr*/'blur', 'resampled', /*tr*/'resampled', 'sharpened', /*tr*/'sharpened', 'compressed', /*tr*/'compressed', 'noise added', /*tr*/'noise added', 'clipping', /*tr*/'clipping', 'dodging', /*tr*/'dodging', 'gamma', /*tr*/'gamma', 'colour shift', /*tr*/'colour shift', 'narrowed histogram', /*tr*/'narrowed histogram', 'balanced', /*tr*/'balanced', 'none', /*tr*/'none', 'unclear', /*tr*/'unclear'), @element), replace(@element, map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')))), '; '), '') %][% coalesce('&lt;br&gt;' || /*tr*/'observer' || ': ' || map_get(map('visible', /*tr*/'visible', 'invisible', /*tr*/'invisible', 'unsure', /*tr*/'not sure'), attribute('observer')), '') %]</mapTip>
+  <mapTip>&lt;b&gt;[% /*tr*/'Window' || ' ' || coalesce(replace(to_string("window_id"), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b&gt;: [% map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable', '', /*tr*/'not inspected'), coalesce("verdict", '')) %][% coalesce('&lt;br&gt;' || replace(attribute('reason'), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br&gt;' || if(attribute('loss') > 0, /*tr*/'loss' || ': ' || format_number(attribute('loss'), if(attribute('loss') >= 10, 0, 1)) || ' m²', NULL), '') %][% coalesce('&lt;br&gt;' || if(attribute('reference') = 'seam', if(attribute('kept_high') &lt; 1 OR attribute('verdict') = 'preserved', /*tr*/'kept along the seam' || ': ' || format_number(100 * attribute('kept_1'), if(round(100 * attribute('kept_1')) != 70 or 100 * attribute('kept_1') = 70, 0, if(round(100 * attribute('kept_1'), 1) != 70, 1, 2))) || ' % (' || format_number(100 * attribute('kept_low'), if(round(100 * attribute('kept_low')) != 70 or 100 * attribute('kept_low') = 70, 0, if(round(100 * attribute('kept_low'), 1) != 70, 1, 2))) || '–' || format_number(100 * attribute('kept_high'), if(round(100 * attribute('kept_high')) != 70 or 100 * attribute('kept_high') = 70, 0, if(round(100 * attribute('kept_high'), 1) != 70, 1, 2))) || ' %)' || if(max(coalesce(attribute('band_width'), 0), coalesce(attribute('feather_width'), 0)) >= 0.05, ', ' || /*tr*/'in a width of' || ' ' || format_number(max(coalesce(attribute('band_width'), 0), coalesce(attribute('feather_width'), 0)), 1) || ' m', ''), NULL), /*tr*/'ratio 1' || ': ' || format_number(attribute('ratio_1'), 2)), '') %][% coalesce('&lt;br&gt;' || /*tr*/'visibility at 2x (JND)' || ': ' || format_number(attribute('visibility'), 1), '') %][% if(attribute('misfit') >= 0.5, '&lt;br&gt;' || /*tr*/'images apart in the mosaic (px)' || ': ' || format_number(attribute('misfit'), 1), '') %][% coalesce('&lt;br&gt;' || array_to_string(array_foreach(string_to_array(attribute('causes'), '; '), coalesce(map_get(map('missing source', /*tr*/'missing source', 'misregistration', /*tr*/'misregistration', 'feathering', /*tr*/'feathering', 'other mixture', /*tr*/'other mixture', 'blur', /*tr*/'blur', 'resampled', /*tr*/'resampled', 'sharpened', /*tr*/'sharpened', 'compressed', /*tr*/'compressed', 'noise added', /*tr*/'noise added', 'clipping', /*tr*/'clipping', 'dodging', /*tr*/'dodging', 'gamma', /*tr*/'gamma', 'colour shift', /*tr*/'colour shift', 'narrowed histogram', /*tr*/'narrowed histogram', 'balanced', /*tr*/'balanced', 'none', /*tr*/'none', 'unclear', /*tr*/'unclear'), @element), replace(@element, map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')))), '; '), '') %][% coalesce('&lt;br&gt;' || /*tr*/'observer' || ': ' || map_get(map('visible', /*tr*/'visible', 'invisible', /*tr*/'invisible', 'unsure', /*tr*/'not sure'), attribute('observer')), '') %]</mapTip>
   <layerGeometryType>2</layerGeometryType>
   <previewExpression>/*tr*/'Window' || ' ' || coalesce(to_string("window_id"), '') || ': ' || coalesce(map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable', '', /*tr*/'not inspected'), coalesce("verdict", '')), "verdict")</previewExpression>
   <fieldWords>

@@ -124,6 +124,7 @@ def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
     return DeliveredPiece(**{
         **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
         "length_m": max(values["length_m"] or 0.0, 0.0),
+        "band_width_m": max(filter(None, (values["band_width_m"], values["feather_width_m"])), default=None),
         "kept_1": seam_totals.possible(values["kept_1"], seam_totals.MOST_KEPT),
         "vertices": line, "sample_number": None if sample is None else int(sample),
         "profile": seam_totals.profile_of(_text(row.get("profile"))),

@@ -19,7 +19,7 @@ from . import messages
 
 NUMBERS = {
     "station": "station_m", "length": "length_m", "kept_1": "kept_1", "kept_low": "kept_low", "kept_high": "kept_high",
-    "band_width": "band_width_m", "visibility": "visibility",
+    "band_width": "band_width_m", "feather_width": "feather_width_m", "visibility": "visibility",
 }  # fmt: skip
 TEXTS = ("left_source", "right_source", "left_date", "right_date", "verdict", "reason")
 """Fields of a scan's layer, the attributes of a piece that hold them; texts are called alike."""
@@ -37,7 +37,7 @@ class DeliveredPiece:
     kept_1: float | None  # share of the finest detail that the mosaic kept; None where nothing could be measured
     kept_low: float | None  # lower end of the 95 % interval of kept_1
     kept_high: float | None  # upper end
-    band_width_m: float | None  # full width of the band in which less than 0.9 is kept
+    band_width_m: float | None  # full width of the band in which less than 0.9 is kept, or of the feather if wider
     verdict: str  # the scan's word; empty where there is none
     reason: str  # why the scan has no verdict
     vertices: np.ndarray = field(compare=False)  # (n, 2) x and y in the delivery's reference system
@@ -47,6 +47,7 @@ class DeliveredPiece:
     right_date: str = ""
     sample_number: int | None = None  # place in the order of drawing, from 1; None where the layer is no sample
     scan: str = ""  # what seam_id numbers the seams of, where that is not the sheet: a scan of many sheets
+    feather_width_m: float | None = None  # of the mixture
     visibility: float | None = None  # the loss in just noticeable differences at 2x; None where the scan does not say
     profile: tuple[KeptBeside, ...] = ()  # the judged strip, then step by step from the seam; empty where unknown
     has_detail: bool = True  # False on ground that has nothing to lose, as the scan says

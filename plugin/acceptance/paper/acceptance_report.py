@@ -1,6 +1,7 @@
 """REPORT: the decision on paper, which an officer signs. One HTML page that prints on A4."""
 from __future__ import annotations
 
+import math
 import re
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
@@ -54,6 +55,7 @@ _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
 _PANELS = 4  # of a failure: mosaic, cut, two orthoimages
 _BAND_KEPT = 0.9  # the scan's band: less is kept in it
+_WIDEST = 39.9  # of the judged strip: the widest feather that a scan tells
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
 
 
@@ -302,11 +304,12 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
 
 
 def _band_words(piece: DeliveredPiece) -> str:
-    """Width of a piece's band; a lower bound where its curve does not come back as far as it is known."""
+    """Width of a piece's band; a lower bound where its curve, or its feather, does not end as far as it is known."""
     if piece.band_width_m is None:
         return ""
-    beyond = [step.kept for step in piece.profile[1:] if step.far_m > piece.profile[0].far_m]
-    is_open = bool(beyond) and max(beyond) < _BAND_KEPT
+    strip_m = piece.profile[0].far_m if piece.profile else math.inf
+    beyond = [step.kept for step in piece.profile[1:] if step.far_m > strip_m]
+    is_open = (bool(beyond) and max(beyond) < _BAND_KEPT) or (piece.feather_width_m or 0.0) > _WIDEST * strip_m
     return filled(tr("at least {least}") if is_open else "{least}", least=metres(piece.band_width_m))
 
 

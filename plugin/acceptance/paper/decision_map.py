@@ -40,7 +40,7 @@ from .sheet_layer import SHEET_COLUMNS, extent_of_all, sheet_features
 
 STATE_COLOURS = {
     PieceState.NO_DETAIL: "#b9bec4", PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9",
-    PieceState.FAILED: "#d55e00",
+    PieceState.FAILED: "#8e0152",
 }  # fmt: skip
 MAP_PX, _MOST_ROWS, _LEAST_ROWS, _DPI = 1400, 1300, 330, 210
 """Columns, most and least rows of the picture, which is 170 mm wide on paper."""

@@ -5,8 +5,6 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import takewhile
-from string import ascii_letters, digits
 from typing import TYPE_CHECKING, NamedTuple, Union
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
@@ -34,8 +32,6 @@ class ChartCurve:
     is_mosaic: bool
     detail: tuple[float, ...]  # relative variance at levels 1..R
     background: float
-    colour: int | None = None
-    """Number of a source's colour, so that it keeps it from window to window; None: by its place in the chart."""
     is_composite: bool = False  # whether it is the hard-cut composite of the sources, which is none of them
     is_reference: bool = False  # whether the verdict is taken against it alone, and not against the sources
 
@@ -93,7 +89,7 @@ def window_curves(result: WindowResult, band: str, reference: str = REFERENCES[0
         curve = clip.curves[band]
         if clip.role == COMPOSITE:
             label, is_reference = tr("composite"), reference == clip.role
-            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, True, is_reference))
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, True, is_reference))
             continue
         curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background))
     return curves
@@ -115,12 +111,12 @@ _LIMIT_REACH = 0.25  # components on either side of level 1
 
 
 def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, PenStyle]:
-    """Colour and dashes of a curve; ``number`` counts the sources, for one that has no colour of its own."""
+    """Colour and dashes of a curve; ``number`` counts the sources."""
     if curve.is_mosaic:
         return style.text, Qt.PenStyle.SolidLine
     if curve.is_composite:
         return style.quiet, COMPOSITE_DASHES
-    colour, line = source_look(number if curve.colour is None else curve.colour, style)
+    colour, line = source_look(number, style)
     return colour, _PENS[line]
 
 
@@ -251,7 +247,6 @@ class CurvesPainter(ChartPainter):
 
 
 _SHOWN_CHARACTERS = 8  # of a name in the legend at least, so that two fit into a narrow dock
-_LETTERS = ascii_letters + digits
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
 _MOST_OF_ROOM = 0.35  # that the legend takes
 _PIECE_LINES = 1.2  # length of a line's piece, in lines of the font
@@ -261,7 +256,6 @@ class LegendEntry(NamedTuple):
     """A name in the legend, and what stands before it."""
 
     name: str
-    brief: str  # where there is no room for that
     colour: str
     dashes: PenStyle = Qt.PenStyle.SolidLine
     width: float = 0.11  # of its line, and the radius of its point, in lines of the font
@@ -280,7 +274,7 @@ class LegendedCurves(CurvesPainter):
         rows = max(1, min(-(-len(self.entries) // across), most_rows))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)
-            self.entries[across * rows - 1 :] = [LegendEntry(more, more, style.background)]
+            self.entries[across * rows - 1 :] = [LegendEntry(more, style.background)]
         self._across = across
         self._legend = QRectF(room)
         self._legend.setTop(room.bottom() - (rows + 0.3) * metrics.height())
@@ -302,31 +296,15 @@ class LegendedCurves(CurvesPainter):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QColor(self.style.text))
             room = width - (end - left) - 0.75 * line
-            words = entry.name if self.metrics.horizontalAdvance(entry.name) <= room else entry.brief
-            words = self.metrics.elidedText(words, Qt.TextElideMode.ElideMiddle, room)
+            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideMiddle, room)
             painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
 
 
 def _entries(chart: Chart, style: ChartStyle) -> list[LegendEntry]:
     entries = []
-    sources = [curve.label for curve in chart.curves if not (curve.is_mosaic or curve.is_composite)]
-    briefs = dict(zip(sources, told_apart(sources)))
     for number, curve in numbered(chart.curves):
         size = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
-        brief = tr("mosaic") if curve.is_mosaic else printable(briefs.get(curve.label, curve.label))
-        entries.append(LegendEntry(printable(curve.label), brief, *curve_look(curve, number, style), *size))
+        entries.append(LegendEntry(printable(curve.label), *curve_look(curve, number, style), *size))
     if significance_limit(chart.curves, chart.max_ratio) is not None:
-        entries.append(LegendEntry(tr("limit"), tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
+        entries.append(LegendEntry(tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
     return entries
-
-
-def told_apart(names: Sequence[str]) -> list[str]:
-    """Names without the words that all begin and end with: ``…0027…`` of ``DJI_0027_ortho.tif``."""
-    begin, end = _beginning(names).rstrip(_LETTERS), _beginning([name[::-1] for name in names])[::-1].lstrip(_LETTERS)
-    if len(names) < 2 or any(len(name) <= len(begin) + len(end) for name in names):
-        return list(names)
-    return ["…" * bool(begin) + name[len(begin) : len(name) - len(end)] + "…" * bool(end) for name in names]
-
-
-def _beginning(names: Sequence[str]) -> str:
-    return "".join(letters[0] for letters in takewhile(lambda letters: len(set(letters)) == 1, zip(*names)))

@@ -76,7 +76,7 @@ def bin_words(shown: ShownProfile, bin_: ProfileBin) -> str:
         text = tr("{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image")
     return filled(
         text, near=shown_number(bin_.near_px * shown.pixel_m), far=shown_number(bin_.far_px * shown.pixel_m),
-        kept=percent(bin_.kept, shown.min_kept), low=percent(bin_.low), high=percent(bin_.high),
+        **{name: percent(getattr(bin_, name), shown.min_kept) for name in ("kept", "low", "high")},
         other=percent(bin_.mixture or 0),
     )  # fmt: skip
 
@@ -90,7 +90,7 @@ def summary_words(shown: ShownProfile) -> str:
         return ""
     width = seam_width_words(
         profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m,
-        shown.window_m,
+        shown.window_m, profile,
     )
     text = tr("{kept} % kept ({low} to {high} %)")
     if shown.ground_left < 1 and profile.is_of_the_ground:
@@ -98,7 +98,8 @@ def summary_words(shown: ShownProfile) -> str:
     elif profile.high < 1 and width:
         text = tr("{kept} % kept ({low} to {high} %) in {width} m")
     return filled(
-        text, kept=percent(profile.kept[0], shown.min_kept), low=percent(profile.low), high=percent(profile.high),
+        text, kept=percent(profile.kept[0], shown.min_kept),
+        low=percent(profile.low, shown.min_kept), high=percent(profile.high, shown.min_kept),
         width=width, left=percent(shown.ground_left),
     )
 

@@ -108,7 +108,7 @@ class InspectionDock(ToolDock):
         for choice in self.findChildren(QComboBox):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
         self.session.placesTaken.connect(self.windows.uncover)
-        self.session.placesTaken.connect(lambda fids: self.judging.model.walk(fids, self.scans.count_hidden()))
+        self.session.placesTaken.connect(self.judging.model.walk)
         self.session.stepped.connect(self.zoom_to)
         self.session.mosaicDoubted.connect(lambda message: self._ask(message, {
             tr("The windows are of this mosaic"): self.session.take_windows,  # nothing goes on with them before

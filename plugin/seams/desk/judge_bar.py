@@ -169,14 +169,11 @@ class JudgeBar(QWidget):
         elif piece is not None:
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
-            finding = window_sentence(piece.record, pixel_m=pixel_m)
-            text = tr("By the scan, this piece of seam: {finding}")
-            sentence = filled(text, finding=finding)
+            profile = None if piece.profile is None else piece.profile.profile
+            finding = window_sentence(piece.record, pixel_m=pixel_m, profile=profile)
+            sentence = filled(tr("By the scan, this piece of seam: {finding}"), finding=finding)
         elif self._judging.is_walked():
-            hidden, sentence = self._judging.hidden_places, tr("All windows at the worst places are judged.")
-            if hidden:
-                text = tr("{judged} {count} {count:place has|places have} no window, as pixels are missing there.")
-                sentence = filled(text, judged=sentence, count=hidden)
+            sentence = tr("All windows at the worst places are judged.")
         elif progress.is_done:
             rest = progress.rest()
             text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")

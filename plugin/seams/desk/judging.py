@@ -118,7 +118,6 @@ class Judging(QObject):
         self._place = -1
         self._last_place = -1
         self._walk: list[int] = []  # numbers of the windows that are gone through before all others
-        self.hidden_places = 0  # beside them, that have no window
         self._connections = Connections(
             (session.begunAnew, self._load), (session.selectionChanged, self._leave_judged),
         )
@@ -316,15 +315,14 @@ class Judging(QObject):
 
     # Places of a scan
 
-    def walk(self, fids: Sequence[int], hidden: int = 0) -> None:
-        """Go through these windows in their order and leave none out, until another one is selected. ``hidden``: places
-        as bad that have no window.
+    def walk(self, fids: Sequence[int]) -> None:
+        """Go through these windows in their order and leave none out, until another one is selected.
 
         To the first without the operator's word, or from such a one to the next; in a review to any of them.
         """
         rows = [row for row in map(self._session.row, dict.fromkeys(fids)) if row is not None]
         places = [row.fid for row in rows if not self.word(row)] or [row.fid for row in rows]
-        self._walk, self.hidden_places = [row.window_id for row in rows], hidden
+        self._walk = [row.window_id for row in rows]
         if places:
             current = self._session.selected()
             following = places.index(current[0]) + 1 if current and current[0] in places else 0

@@ -11,7 +11,7 @@ NOT_MOVED = Message(
     "The layer {name} stays in {old}, as it can't be moved to {folder} ({error}); export it from there."
 )
 NO_PIXELS_THERE = Message("No window there: pixels are missing. Draw a smaller one beside the edge.", WARNING)
-PLACES_TAKEN = Message("Windows at the worst places: {count}; there already: {there}.", INFO)
+PLACES_TAKEN = Message("Windows at the worst places: {count}, {sides} m wide; there already: {there}.", INFO)
 WINDOWS_BACK = Message("Windows of this mosaic were restored. The project lacked them; they are in {path}.", INFO)
 DECISION_THERE_ALREADY = Message("{path} exists already: choose another folder, so that no document is replaced.")
 DECISION_NOT_SAVED = Message("The decision could not be saved in {folder} ({error}); choose another folder.")

@@ -9,18 +9,17 @@ from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import Qgis, QgsFeatureRequest, QgsGeometry, QgsMapLayer, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import Qgis, QgsMapLayer, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
-from ...imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT
+from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from ...toolkit.background_tasks import BackgroundTasks, End, Outcome
 from ...toolkit.connections import Connections
 from ...toolkit.desk.tool_dock import bar_level, write_log
 from ...toolkit.layer_styles import load_style
-from ...toolkit.layers import layer_path
 from ...toolkit.reference_systems import keep_system
 from ...toolkit.translation import filled, grouped_number, sentence, tr
 from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
@@ -105,27 +104,6 @@ class MosaicScans(QObject):
     def worst_layer(self) -> QgsVectorLayer | None:
         """The worst windows of the mosaic's last scan."""
         return worst_layer(self._project, self._session.inputs.mosaic)
-
-    def count_hidden(self) -> int:
-        """The number of pieces as bad as the worst places of which no window shows anything, as none fits there."""
-        worst = self.worst_layer()
-        if worst is None:
-            return 0
-        seams = QgsVectorLayer(f"{layer_path(worst)}|layername={scan_layers.SEAMS.name}", "", "ogr")
-        windows = list(worst.getFeatures())
-        shown = QgsGeometry.unaryUnion([window.geometry() for window in windows])
-        places = {(window["seam_id"], round(window["station"], 2)) for window in windows}
-        by_kept = QgsFeatureRequest().setFilterExpression(f"level = '{PIECE}' and kept_1 is not null")
-        count = hidden = 0
-        for piece in seams.getFeatures(by_kept.addOrderBy("kept_1")):
-            if (place := (piece["seam_id"], round(piece["station"] + piece["length"] / 2, 2))) in places:
-                count = hidden
-                places.remove(place)
-                if not places:  # thousands of sound pieces may follow
-                    break
-            elif not shown.intersects(piece.geometry()):
-                hidden += 1
-        return count
 
     def progress(self) -> str:
         """``Scan: 42 %, some 4 min left``."""

@@ -182,6 +182,10 @@ class Session(QObject):
         """The mouse is over this window; ``is_live``: its curves follow."""
         self._live.hover(window, is_live)
 
+    def is_useless(self, window: PixelWindow) -> bool:
+        """Whether nothing can be compared in the window under the mouse, as is known when the mouse has rested."""
+        return self._live.useless == window
+
     def leave(self) -> None:
         """The mouse is over no window any more."""
         self._live.leave()
@@ -266,7 +270,8 @@ class Session(QObject):
             others = [fid for fid, said in held.items() if any(said.get(name) != values[name] for name in values)]
             rows = [row for row in map(self.row, others) if row is not None]
             if rows:  # the same again is no step
-                self._steps.change({row.fid: values for row in rows}, _words_of_notes(rows, values))
+                words = words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
+                self._steps.change({row.fid: values for row in rows}, words)
                 self._mosaics.note()
 
     def _follow_step(self, numbers: list[int]) -> None:
@@ -437,13 +442,3 @@ class Session(QObject):
         self._results.forget()
         self._steps.stack.clear()
         self.begunAnew.emit()
-
-
-def _words_of_notes(rows: Sequence[WindowRecord], names: Iterable[str]) -> str:
-    """What the step is called that writes what an operator says, by the fields that he fills."""
-    kinds = {name.partition("_")[0] for name in names}
-    if "remark" in kinds:
-        return words_of(rows, tr("remark on window {number}"), tr("remark on {count} windows"))
-    if "observer" in kinds:
-        return words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
-    return words_of(rows, tr("how sure you are of window {number}"), tr("how sure you are of {count} windows"))

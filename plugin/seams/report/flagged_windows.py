@@ -11,17 +11,18 @@ from markupsafe import Markup
 from qgis.PyQt.QtCore import QRectF
 
 from ...imagery.errors import Message
-from ...imagery.limits import judged_band
+from ...imagery.limits import MAX_SIGNIFICANT_RATIO, judged_band
 from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure import messages
+from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord
-from ..window_summary import judged_words, painted_width_m, told_cause, window_sentence, window_why
+from ..window_summary import judged_words, painted_width_m, two_digits, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -38,7 +39,7 @@ def window_rows(
         "anchor": anchor(record.window_id) if record.window_id in linked else "",
         "colour": verdict_colour(record.verdict),
         "found": list(_findings(record)),
-        "ratios": [*map(two_digits, record.ratios), two_digits(record.background_ratio)],
+        "ratios": [two_digits(ratio, MAX_SIGNIFICANT_RATIO) for ratio in (*record.ratios, record.background_ratio)],
         "rasters": [_raster_row(curve, levels) for role in _ROLES for curve in curves if curve.role == role],
     }
 
@@ -48,11 +49,6 @@ def anchor(window_id: int) -> str:
     return f"window-{window_id}"
 
 
-def two_digits(value: float | None) -> str:
-    """A ratio; empty where it is not known."""
-    return "" if value is None else shown_number(value)
-
-
 def paper_words(record: WindowRecord) -> str:
     """What the paper's rule says of a window that was judged by its seam; empty for others."""
     if record.reference != SEAM or not record.paper_verdict:
@@ -60,7 +56,8 @@ def paper_words(record: WindowRecord) -> str:
     word = verdict_word(record.paper_verdict)
     if record.ratio is None:
         return filled(tr("by the paper's rule: {verdict}"), verdict=word)
-    return filled(tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}"), verdict=word, ratio=record.ratio)
+    ratio = two_digits(record.ratio, MAX_SIGNIFICANT_RATIO)
+    return filled(tr("by the paper's rule: {verdict}, ratio 1: {ratio}"), verdict=word, ratio=ratio)
 
 
 def _findings(record: WindowRecord) -> Iterator[str]:
@@ -71,7 +68,7 @@ def _findings(record: WindowRecord) -> Iterator[str]:
     if paper := paper_words(record):
         yield paper
     known = []
-    causes = "; ".join(dict.fromkeys([told_cause(record), *(record.causes or record.cause).split("; ")]))
+    causes = record.causes or record.cause
     if causes and (causes != "none" or record.verdict in LOSSES):
         words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
         known.append(filled(words, cause=causes_words(causes)))
@@ -171,7 +168,7 @@ class WindowSections:
         known = record, self._request.results.get(record.window_id), self._pixel_m
         yield " ".join([window_sentence(*known), *window_why(*known)])
         facts = []
-        if (cause := told_cause(record)) and cause != "none":
+        if (cause := record.cause) and cause != "none":
             words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
             facts += [filled(words, cause=cause_word(cause)), cause_sentence(cause)]
         facts += [filled(tr("Observer: {word}."), word=observer_word(record.observer) or tr("not judged"))]
@@ -183,24 +180,24 @@ class WindowSections:
 def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
     """The levels, and a row for each ratio that is known: against what, by level, that of the background."""
     rows = [
-        (_kept_heading(record), record.kept, None),
-        (tr("against the sources"), record.ratios, record.background_ratio),
-        (tr("against the hard-cut composite"), record.composite_ratios, None),
-        (tr("expected of a 50:50 feather"), record.expected_ratios, None),
+        (_kept_heading(record), record.kept, None, MAX_SIGNIFICANT_KEPT),
+        (tr("against the sources"), record.ratios, record.background_ratio, MAX_SIGNIFICANT_RATIO),
+        (tr("against the hard-cut composite"), record.composite_ratios, None, MAX_SIGNIFICANT_RATIO),
+        (tr("expected of a 50:50 feather"), record.expected_ratios, None, MAX_SIGNIFICANT_RATIO),
     ]
     known = [row for row in rows if any(value is not None for value in row[1])]
     levels = max((len(row[1]) for row in known), default=0)
     return list(range(1, levels + 1)), [
-        [name, *map(two_digits, values), *[""] * (levels - len(values)), two_digits(background)]
-        for name, values, background in known
+        [name, *(two_digits(value, limit) for value in values), *[""] * (levels - len(values)), two_digits(background)]
+        for name, values, background, limit in known
     ]
 
 
 def _kept_heading(record: WindowRecord) -> str:
     if record.kept_low is None or record.kept_high is None:
         return tr("kept along the seam")
-    text = tr("kept along the seam (level 1: {low:.2f} to {high:.2f})")
-    return filled(text, low=record.kept_low, high=record.kept_high)
+    low, high = (two_digits(kept, MAX_SIGNIFICANT_KEPT) for kept in (record.kept_low, record.kept_high))
+    return filled(tr("kept along the seam (level 1: {low} to {high})"), low=low, high=high)
 
 
 def _place_words(clips: WindowParts) -> str:

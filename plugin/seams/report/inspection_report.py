@@ -18,7 +18,6 @@ from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster
 from ...toolkit.translation import percent, shown_number, tr
 from ..measure import limits, messages
 from ..measure.window_records import SEAM, WindowRecord
-from ..window_summary import told_cause
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, WindowSections, window_rows
 from .report_request import ReportRequest
@@ -140,7 +139,7 @@ def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
 def _summary(request: ReportRequest) -> dict[str, object]:
     """Verdicts, observer's words and ratios of each mosaic, and its causes."""
     verdicts = [verdict for verdict in VERDICTS if verdict or any(not record.verdict for record in request.records)]
-    main = Counter((_mosaic_of(request, record), told_cause(record)) for record in request.records)
+    main = Counter((_mosaic_of(request, record), record.cause) for record in request.records)
     causes = Counter(_parts(request, request.records))
     flagged = Counter(_parts(request, flagged_windows(request.records)))
     ordered = sorted(causes.items(), key=lambda item: (item[0][0], -main[item[0]], -item[1], item[0][1]))

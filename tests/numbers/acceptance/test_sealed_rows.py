@@ -66,6 +66,7 @@ def bent(held: Rows) -> None:
         bent, lambda held: held.append(held[0]), lambda held: held.pop(0),
         *(lambda held, name=name, value=value: held[0][0].update({name: value}) for name, value in (  # type: ignore
             ("length", 50.0), ("kept_1", 0.99), ("kept_high", 0.99), ("visibility", 0.1), ("band_width", 9.0),
+            ("feather_width", 9.0),
             ("seam_id", 7), ("verdict", "preserved"), ("left_date", "2026-01-01"), ("sample", 1), ("sheet", "b"),
         )),
     ],
@@ -96,6 +97,14 @@ def crs_wkt(code: int) -> str:
     system = osr.SpatialReference()
     system.ImportFromEPSG(code)
     return str(system.ExportToWkt())
+
+
+@pytest.mark.parametrize(
+    ("band", "feather", "width"), [(1.2, 1.3, 1.3), (1.4, 1.3, 1.4), (1.2, None, 1.2), (None, None, None)]
+)
+def test_a_seam_is_as_wide_as_the_desk_tells(band: float | None, feather: float | None, width: float | None) -> None:
+    row = {"kept_1": 0.6, "band_width": band, "feather_width": feather, "geometry": "LINESTRING (0 0, 5 0)"}
+    assert make_delivery({"a": [row]}, "").pieces[0].band_width_m == width
 
 
 @pytest.mark.parametrize(("written", "expected"), [(0.5, 0.5), (7.0, 7.0), (0.0, 5.0), (-3.0, 5.0), (None, 5.0)])

@@ -161,21 +161,24 @@ def test_what_has_no_limit_stands_among_the_rules(tmp_path: Path) -> None:
 
 
 def test_a_band_wider_than_its_curve_is_known_and_panels_that_lack_are_told(tmp_path: Path) -> None:
-    """The first failure's curve does not come back to 90 %, the second one's does; one image ends at the seam."""
-    plain = decided(failed=[(0, 3), (0, 20)])
+    """The first failure's curve does not come back to 90 %, the second one's does, the third one's feather goes on; an
+    image ends at the seam."""
+    plain = decided(failed=[(0, 3), (0, 20), (0, 30)])
     pieces = [*plain.delivery.pieces]
-    for number, farthest in ((3, 0.8), (20, 1.0)):
+    for number, farthest, feather in ((3, 0.8, 0.0), (20, 1.0, 0.0), (30, 1.0, 40.0)):
         steps = (KeptBeside(0, 1, 0.45), KeptBeside(0, 1, 0.45), KeptBeside(1, 9, farthest))
-        pieces[number] = replace(pieces[number], profile=steps, band_width_m=10.0)
+        pieces[number] = replace(pieces[number], profile=steps, band_width_m=10.0, feather_width_m=feather)
     record = record_of(
         decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules), mosaics=(ground(tmp_path / "mosaic.tif"),)
     )
     pixels = np.zeros((8, 8, 3), np.uint8)
     panels = [ProofPanel(kind, "a.tif", pixels) for kind in (MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL, IMAGE_PANEL)]
-    pictures = {number: DefectPicture(pixels, 10.0, True, tuple(panels[: 5 - number])) for number in (1, 2)}
+    seen = ((1, 4), (2, 3), (3, 3))
+    pictures = {number: DefectPicture(pixels, 10.0, True, tuple(panels[:count])) for number, count in seen}
     save_acceptance_report(tmp_path / "report.html", record, pictures)
     words = outline((tmp_path / "report.html").read_text(encoding="utf-8")).words.replace("\u00a0", " ")
-    first, second = words.split("least kept")[-2:]
+    first, second, third = words.split("least kept")[-3:]
     assert "band width at least 10.0 m" in first
     assert "band width 10.0 m" in second
+    assert "band width at least 10.0 m" in third
     assert ["the cut or an orthoimage is not shown" in words for words in (first, second)] == [False, True]

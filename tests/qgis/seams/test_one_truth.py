@@ -22,8 +22,8 @@ from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.report.flagged_windows import window_rows
 from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.seams.window_summary import (
-    is_lost_along_the_seam,
     judged_kept,
+    loss_place,
     shown_area,
     window_sentence,
     window_why,
@@ -104,7 +104,7 @@ def test_what_is_made_and_what_is_said_differ(rows: dict[str, WindowRecord]) -> 
     for name in ("feathered", "feathered, dodged", "feathered, sharpened", "averaged"):
         assert verdicts[name] in LOSSES, name
     assert verdicts["blurred badly"] == "significant"
-    assert {is_lost_along_the_seam(row) for row in rows.values() if row.verdict in LOSSES} == {True, False}
+    assert {loss_place(row).is_along for row in rows.values() if row.verdict in LOSSES} == {True, False}
     assert len({row.verdict for name, row in rows.items() if name.startswith("block")}) > 1
 
 
@@ -136,10 +136,10 @@ def test_sentence_table_label_and_report_say_the_same_number(
                 assert set(re.findall(r"[\d,.]+ m²", said)) <= {shown}
                 assert f"loss: {shown}" in report
                 at_seam = re.search(r"(?<!no more) (along|beside) the seam", said) is not None
-                assert at_seam == is_lost_along_the_seam(row), said
+                assert at_seam == loss_place(row).is_along, said
                 assert "no more along the seam" not in said or (row.kept_1 or 0.0) >= 0.97, said
                 along, whole = (percent(1 - (left or 0.0)) for left in (row.kept_1, (row.sharpness or 0.0) ** 2))
-                if is_lost_along_the_seam(row):
+                if loss_place(row).is_along:
                     assert f"{along} % of detail lost" in said or f"{along} % of the rest along the seam" in said
                 if " of the window's detail" in said:
                     assert f"{whole} % of the window's detail lost" in said
@@ -153,7 +153,7 @@ def test_the_profile_and_the_picture_show_a_loss_where_it_is_told(
 ) -> None:
     for name, row in rows.items():
         profile, picture = results[name].profile, results[name].loss
-        if is_lost_along_the_seam(row):
+        if loss_place(row).is_along:
             assert profile is not None
             assert profile.kept[0] == pytest.approx(row.kept_1)
             near = [bin_.kept for bin_ in profile.bins if bin_.level == 1]
@@ -188,7 +188,7 @@ def test_nothing_that_is_said_contradicts_the_verdict(
         if row.verdict in LOSSES:
             assert "as much of the finest detail" not in said, name
             kept = [float(text) for text in re.findall(r"Along the seam ([\d.]+) % is left", said)]
-            assert not kept or not is_lost_along_the_seam(row), name
+            assert not kept or not loss_place(row).is_along, name
         if row.kept_1 is not None:
             assert "no change from one source to another" not in said.lower(), name
         apart = [float(text) for text in re.findall(r"images ([\d.]+) px apart", said)]

@@ -2,9 +2,13 @@
 from __future__ import annotations
 
 from itertools import combinations
+from xml.etree import ElementTree
 
 import pytest
+from seam_inspector.plugin.acceptance.paper.decision_map import STATE_COLOURS
+from seam_inspector.plugin.imagery.seam_totals import PieceState
 from seam_inspector.plugin.seams.words import VERDICTS
+from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.colour_sight import DICHROMATS, Lab, ciede2000, seen_colour
 
@@ -29,8 +33,12 @@ def test_the_formula_is_the_published_one(colour: Lab, other: Lab, difference: f
 
 
 @pytest.mark.parametrize("sight", ["", *DICHROMATS])
-def test_verdicts_are_told_apart(sight: str) -> None:
-    seen = {verdict: seen_colour(look.colour, sight) for verdict, look in VERDICTS.items()}
+def test_verdicts_are_told_apart_and_failures_from_them(sight: str) -> None:
+    line = ElementTree.parse(style_path("defects")).findall(".//symbol/layer")[1].find("prop[@k='line_color']")
+    failure = "#{:02x}{:02x}{:02x}".format(*map(int, line.get("v").split(",")[:3]))  # type: ignore[union-attr]
+    assert failure == STATE_COLOURS[PieceState.FAILED]
+    looks = {**{verdict: look.colour for verdict, look in VERDICTS.items()}, "failure": failure}
+    seen = {name: seen_colour(colour, sight) for name, colour in looks.items()}
     apart = {pair: ciede2000(*(seen[verdict] for verdict in pair)) for pair in combinations(seen, 2)}
     closest = min(apart, key=lambda pair: apart[pair])
     assert apart[closest] > LEAST, f"{closest}: {apart[closest]:.1f}"

@@ -9,6 +9,8 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, summary_words
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
@@ -16,8 +18,9 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ra
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
+from seam_inspector.plugin.seams.measure.window.window_tables import window_rows
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
-from seam_inspector.plugin.seams.window_summary import told_cause, window_sentence, window_why
+from seam_inspector.plugin.seams.window_summary import judged_words, window_sentence, window_why
 
 from tests.qgis.seams.desk.windows_session import window
 
@@ -133,7 +136,7 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
             {"causes": "feathering; misregistration", "misfit": 2.04, "feather_width": 1.5},
             f"Significant loss. {STRIP}: feathered, images 2.0 px apart. {CUT}",
         ),
-        ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered, images 2.0 px apart. {CUT}"),
+        ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered. {CUT}"),
         ({"misfit": 0.4}, f"Significant loss. {STRIP}: feathered. {CUT}"),  # next to nothing
         (  # half a pixel off explains no dip along the seam
             {"causes": "resampled; feathering; balanced", "sharpness": 0.99},
@@ -183,23 +186,62 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
 
 
 @pytest.mark.parametrize(
-    ("values", "cause"),
+    ("causes", "kept", "sharpness", "written"),
     [
-        ({"causes": "feathering; balanced", "cause": "feathering"}, "feathering"),
-        (  # the seam made the verdict, and resampling took more
-            {"cause": "resampled", "causes": "resampled; misregistration; feathering", "sharpness": 0.79},
-            "misregistration",
-        ),
-        (
-            {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
-             "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            "resampled",
-        ),
-        ({**SOUND, "cause": "resampled", "causes": "resampled; feathering"}, "resampled"),
+        ("feathering; balanced", 0.56, 1.0, "feathering; balanced"),
+        # the seam made the verdict, and resampling took more
+        ("resampled; misregistration; feathering", 0.56, 0.79, "misregistration; feathering; resampled"),
+        # the seam was softened, which a blur says that may be that of the whole
+        ("resampled; balanced; blur", 0.56, 0.79, "blur; resampled; balanced"),
+        ("resampled; unclear; feathering", 0.84, 0.81, "resampled; unclear; feathering"),
+        ("feathering; resampled", 0.84, 0.81, "resampled; feathering"),
+        ("missing source; feathering", 0.56, 1.0, "feathering; missing source"),
     ],
-)  # fmt: skip
-def test_the_table_names_the_cause_that_the_sentence_tells_first(values: dict[str, Any], cause: str) -> None:
-    assert told_cause(seam_row(**values)) == cause
+)
+def test_the_cause_that_is_written_is_the_one_that_the_sentence_tells(
+    qgis_app: QgsApplication, causes: str, kept: float, sharpness: float, written: str
+) -> None:
+    measured = result(causes, profile=replace(PROFILE, kept=(kept,), low=kept - 0.05, high=kept + 0.06))
+    assert measured.explanation is not None
+    verdict = "significant" if kept <= 0.7 else "reduced"
+    measured = replace(
+        measured, judgement=replace(measured.judgement, verdict=Verdict(verdict)),
+        explanation=replace(measured.explanation, sharpness=sharpness),
+    )
+    values = window_rows([measured])[0]
+    assert values["causes"] == written
+    assert values["cause"] == written.split("; ")[0]
+    seen = seam_row(verdict, kept=(kept,), kept_low=kept - 0.05, kept_high=kept + 0.06, sharpness=sharpness,
+                    cause=values["cause"], causes=written)
+    brief = {"misregistration": "images do not fit", "blur": "softened there", "feathering": "feathered"}
+    for said in (window_sentence(seen), window_sentence(seen, measured)):
+        assert f": {brief.get(str(values['cause']), values['cause'])}" in said
+    assert Cause(causes.split("; ")[0]) is measured.explanation.cause  # by the energy that each took
+
+
+@pytest.mark.parametrize(
+    ("ratio", "composite", "is_said"),
+    [(0.98, 1.01, False), (0.8, 1.0, True), (0.99, 0.9, True), (None, 1.2, True), (None, None, False)],
+)
+def test_curves_that_lie_apart_where_nothing_is_lost_are_explained(
+    qgis_app: QgsApplication, ratio: float | None, composite: float | None, is_said: bool
+) -> None:
+    said = window_why(seam_row(**SOUND, ratios=(ratio,), composite_ratios=(composite,)))
+    place = said.index("The window is as sharp as its sources.")
+    assert any("curve lies apart all the same" in line for line in said[place + 1 :]) == is_said
+
+
+def test_numbers_lie_on_their_side_of_their_limits(qgis_app: QgsApplication) -> None:
+    at_seam = seam_row(kept=(0.6996,), kept_low=0.62, kept_high=0.704)
+    assert judged_words(at_seam)[0] == "kept 1: 0.6996 (0.62 to 0.704)"
+    assert "between 29.6 and 38 %" in window_why(at_seam)[0]
+    by_ratio = replace(row("none"), ratios=(0.503,), composite_ratios=(0.4996,))
+    assert judged_words(by_ratio) == ["ratio 1: 0.503", "composite: 0.4996"]
+    (column,) = (column for column in COLUMNS if column.name == "ratio")
+    assert column.text(by_ratio) == "0.503"
+    assert summary_words(ShownProfile(replace(PROFILE, kept=(0.6996,), low=0.62, high=0.704), 0.1, 0.7)).startswith(
+        "69.96 % kept (62 to 70.4 %)"
+    )
 
 
 @pytest.mark.parametrize(("side_px", "width"), [(512, "28.0"), (280, "28.0"), (256, "at least 25.6")])

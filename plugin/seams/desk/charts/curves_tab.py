@@ -1,8 +1,6 @@
 """The tab with the curves of the selected window, and its seam profile beside them."""
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QSize, Qt
@@ -10,11 +8,10 @@ from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QSplitter, QWidget
 
 from ....imagery.limits import judged_band
-from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.theme import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
-from ...charts.curves_painter import Chart, ChartCurve, window_curves
+from ...charts.curves_painter import Chart, window_curves
 from ...charts.profile_painter import ShownProfile, bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
@@ -34,7 +31,6 @@ class CurvesPanel(ChartPanel):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._colours: dict[str, int] = {}
         self.shown: Sequence[WindowResult] = ()  # what the chart is asked to draw
         self._build()
         session.selectionChanged.connect(self._refresh_now)
@@ -84,14 +80,14 @@ class CurvesPanel(ChartPanel):
             self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
             self._save.offer(None)
         elif result is not None:
-            chart = self._draw(result, filled(tr("Window {number}"), number=result.window_id))
+            chart = self._draw(result, self._title(result))
             self._save.offer(curves_picture(f"window_{result.window_id}_curves", chart))
         else:
             self._show_no_curves(missing)
 
     def _draw(self, result: WindowResult, title: str) -> Chart:
         band = judged_band(result.clips[0].curves)
-        curves = self._coloured(window_curves(result, band, self._session.inputs.reference))
+        curves = window_curves(result, band, self._session.inputs.reference)
         chart = Chart(tuple(curves), self._session.inputs.max_ratio)
         self._pages.setCurrentWidget(self._chart)
         self._chart.setEnabled(True)
@@ -100,17 +96,13 @@ class CurvesPanel(ChartPanel):
         self._status.setText(title)
         return chart
 
-    def _coloured(self, curves: list[ChartCurve]) -> Iterator[ChartCurve]:
-        """Sources keep their colours from window to window, but where two that meet would have the same."""
-        count, taken = len(PAPER.sources), set()
-        for curve in curves:
-            if not (curve.is_mosaic or curve.is_composite):
-                wanted = self._colours.get(curve.label, len(self._colours))
-                free = (number for number in (wanted, *range(count)) if number % count not in taken)
-                self._colours[curve.label] = number = next(free, wanted)
-                taken.add(number % count)
-                curve = replace(curve, colour=number)
-            yield curve
+    def _title(self, result: WindowResult) -> str:
+        """What is drawn, and how many of the table's sources have no curve, since they end in the window."""
+        row, ending = next(map(self._session.row, self._session.selected()), None), 0
+        if row is not None and not self._session.is_pending(row.fid):
+            ending = (row.sources or 0) - sum(clip.role == "source" for clip in result.clips)
+        text = tr("Window {number}; {count} more {count:source ends|sources end} in it")
+        return filled(text if ending > 0 else tr("Window {number}"), number=result.window_id, count=ending)
 
     def _show_no_curves(self, why: str) -> None:
         """The chart before stays, faint, while there are some to come."""

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
+from qgis.core import Qgis, QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
@@ -42,7 +42,6 @@ class InputsPanel(QWidget):
         self._session = session
         self._is_following = False
         self._was_folded = False
-        self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
         self.suggesting = Suggesting(session, self)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
         self._table_fields()
@@ -84,7 +83,7 @@ class InputsPanel(QWidget):
         self._show_side()
         self._summarize()
         if not inputs.mosaic:  # another project
-            self._fitted, self._was_folded = None, False
+            self._was_folded = False
             self.box.fold(False)
 
     # What the operator changes
@@ -163,33 +162,30 @@ class InputsPanel(QWidget):
             return
         fitting = fitting_side_m(grid, inputs.placing)
         if fitting != inputs.side_m:
-            self._fitted = inputs.side_m, fitting
             with unmodified(QgsProject.instance()):
                 self._session.set_inputs(replace(inputs, side_m=fitting, spacing_m=2 * fitting))
+            asked, side, spacing = map(shown_metres, (inputs.side_m, fitting, 2 * fitting))
+            text = tr("{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m")
+            said = filled(text, asked=asked, side=side, spacing=spacing)
+            self._session.messageRaised.emit(said, int(Qgis.MessageLevel.Info))
 
-    def _show_side(self, *_: object) -> None:
-        """What becomes of the side: pixels, and the metres that these span; and what it was changed from."""
+    def _show_side(self) -> None:
+        """What becomes of the side: pixels, and the metres that these span."""
         inputs, grid = self._session.inputs, self._session.mosaic_grid()
-        text, tip, pixels = "", "", 0
+        text, tip = "", ""
         if grid is not None:
             try:
                 pixels = window_side_px(grid, inputs.placing)
                 metres = pixels * grid.ground_sample_distance
                 text = filled(tr("{pixels} px, {metres} m"), pixels=pixels, metres=shown_metres(metres))
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")
+                if pixels < limits.MEASURABLE_SIDE_PX:
+                    few = tr("few windows below {pixels} px can be measured")
+                    text, tip = f"{text} (!)", filled(few, pixels=limits.MEASURABLE_SIDE_PX)
             except SettingsError as error:
                 text, tip = tr("too short"), sentence(error.message)
         self.side_px.setText(text)
         self.side_px.setToolTip(tip)
-        note = ""
-        if 0 < pixels < limits.MEASURABLE_SIDE_PX:
-            note = filled(tr("few windows below {pixels} px can be measured"), pixels=limits.MEASURABLE_SIDE_PX)
-        if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
-            asked, side, spacing = map(shown_metres, (*self._fitted, inputs.spacing_m))
-            note = filled(tr("{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m"),
-                          asked=asked, side=side, spacing=spacing)  # fmt: skip
-        self.side_note.setText(note)
-        self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
 
     def _table_fields(self) -> None:
         self.box = SummaryBox(self)
@@ -213,14 +209,11 @@ class InputsPanel(QWidget):
         self.side.setDecimals(2)  # 15.4 m would need twice the pixels of 15.36 m, 512 of 3 cm
         self.side.setToolTip(tr("Minimum side of a clicked or placed window, in metres"))
         self.side_px = QLabel(self.box)
-        self.side_note = QLabel(self.box)
-        self.side_note.setToolTip(tr("Windows of the given side do not fit this mosaic, so the side was changed"))
         self.doubts = QLabel(self)
         self.doubts.setTextFormat(Qt.TextFormat.PlainText)
         self.doubts.setWordWrap(True)
         self.doubts.setVisible(False)
         self.more = MoreBox(self.box)
-        self.box.collapsedStateChanged.connect(self._show_side)
         self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
         self.sources.changed.connect(partial(self._take, "sources"))
         self.sources.suggestionWanted.connect(self.suggesting.take_suggested)
@@ -242,7 +235,6 @@ class InputsPanel(QWidget):
         add_field(grid, 4, tr("&Windows"), self.windows)
         add_field(grid, 5, tr("Window si&de"), self.side, self.side_px)
         grid.addWidget(self.more, 6, 0, 1, 3)
-        grid.addWidget(self.side_note, 7, 0, 1, 3)  # below all fields, so that none of them jumps
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.box)

@@ -134,6 +134,7 @@ class _PictureItem(QgsMapCanvasItem):
         except WindowError:
             return
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        labels = self._labels()
         for picture in self.pictures:
             try:
                 around, shown = (self._on_canvas(extent, transform) for extent in (picture.extent, picture.shown))
@@ -149,10 +150,18 @@ class _PictureItem(QgsMapCanvasItem):
             path = QPainterPath()
             path.addPolygon(shown)
             painter.save()
-            painter.setClipPath(path)
+            painter.setClipPath(path.subtracted(labels))
             painter.setTransform(warp, True)
             painter.drawImage(QPointF(), picture.image)
             painter.restore()
+
+    def _labels(self) -> QPainterPath:
+        """The ground beneath the map's labels, which are to be read."""
+        path, results = QPainterPath(), self._canvas.labelingResults()
+        for label in results.allLabels() if results is not None else ():
+            outline = map(QgsPointXY, label.labelGeometry.vertices())
+            path.addPolygon(QPolygonF([self.toCanvasCoordinates(corner) for corner in outline]))
+        return path
 
     def _on_canvas(self, extent: Extent, transform: QgsCoordinateTransform) -> QPolygonF:
         """The corners in pixels of the canvas, from the upper left clockwise."""
@@ -251,7 +260,7 @@ class LossOverlay(QObject):
         ]
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
         self._overlay.set_visible(not self._gives_way)
-        self._legend.show_legend(any(loss.cell_px for loss in pictures.values()))
+        self._legend.show_legend()
 
 
 def loss_of(row: WindowRecord, result: WindowResult) -> WindowPicture:
@@ -284,15 +293,12 @@ class LossLegend(QLabel):
         self.hide()
         canvas.installEventFilter(self)
 
-    def show_legend(self, has_pictures: bool) -> None:
-        """``has_pictures``: whether any window has one; else it is said that there is none yet."""
+    def show_legend(self) -> None:
+        """In the map's own corner, in front of what it shows."""
         swatch, words = "<td style='background: {}'>&nbsp;&nbsp;&nbsp;&nbsp;</td><td>&nbsp;{}</td>", []
         for text, (*rgb, alpha) in loss_legend():
             colour = blended(QColor(*rgb), _GROUND, LOSS_OPACITY * alpha / 255)
             words.append(swatch.format(colour.name(), escape(text)))
-        if not has_pictures:
-            nothing = tr("No picture yet: inspect windows")
-            words = [f"<td>{escape(nothing)}</td>"]
         page = escape(tr("Detail kept")) + f"<table><tr>{'</tr><tr>'.join(words)}</tr></table>"
         self.setText(page)
         self._place()

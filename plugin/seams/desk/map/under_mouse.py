@@ -17,7 +17,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ...measure.window.explained_window import LiveWindow, live_profile, read_live
 from ...measure.window.inspection import window_request
-from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow, WindowRequest
+from ...measure.window.measured_window import Measured, MeasuredAhead, MeasuredWindow, WindowRequest
 from ...measure.window_records import WindowRecord
 from ..inputs.block_cache import BlockCache
 
@@ -111,6 +111,8 @@ class LiveWindows(QObject):
         self._profiles = LatestOnly("seam-inspector-live-profile", self, rest=1.0)  # the curves go first
         self._profiles.arrived.connect(self._take_profile)
         self._ahead = LatestOnly("seam-inspector-ahead", self)
+        self._ahead.arrived.connect(self._take_ahead)
+        self.useless: PixelWindow | None = None  # the window under the mouse, where nothing can be compared
         for worker in (self._curves, self._profiles, self._ahead):
             worker.failed.connect(self.failed)
         self._rest = single_shot(self, self._measure_ahead, _REST_MS)
@@ -176,10 +178,14 @@ class LiveWindows(QObject):
     def _measure_ahead(self) -> None:
         request = self._request(self._hovered) if self._hovered is not None else None
         if request is not None:
-            self._ahead.ask(partial(self._without_result, request))
+            self._ahead.ask(lambda: (request.window, self.measure(request)))
 
-    def _without_result(self, request: WindowRequest) -> None:
-        self.measure(request)
+    def _take_ahead(self, ahead: tuple[PixelWindow, Measured]) -> None:
+        window, measured = ahead
+        useless = None if isinstance(measured, MeasuredWindow) and measured.is_explicable else window
+        if useless != self.useless:
+            self.useless = useless
+            self.changed.emit()
 
     def _take_pixels(self, pixels: MeasuredWindow) -> None:
         window, before = pixels.request.window, self._current

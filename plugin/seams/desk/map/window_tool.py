@@ -82,11 +82,13 @@ class WindowTool(DrawingTool):
         super()._listen()
         self.canvas().viewport().installEventFilter(self)
         self._session.inputsChanged.connect(self._show_draft)
+        self._session.liveChanged.connect(self._show_draft)
 
     def _listen_no_more(self) -> None:
         super()._listen_no_more()
         self.canvas().viewport().removeEventFilter(self)
         self._session.inputsChanged.disconnect(self._show_draft)
+        self._session.liveChanged.disconnect(self._show_draft)
 
     def _clear(self) -> None:
         self._forget()
@@ -203,12 +205,15 @@ class WindowTool(DrawingTool):
     def _accepted(self, grid: Grid, window: PixelWindow, seam_point: Point | None = None) -> _Draft:
         block = self._session.block()
         sources = 0 if block is None else len(block.sources_over(window))
-        tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
+        is_useless = self._session.is_useless(window)
+        tone = OutlineTone.DOUBTFUL if is_useless or not sources else OutlineTone.GOOD
         width, height = window.width * grid.pixel_width, window.height * grid.pixel_height
         spans = {"width": shown_metres(width * grid.metres_x), "height": shown_metres(height * grid.metres_y)}
         text = tr("{width} x {height} m, {columns} x {rows} px")
         if not sources:
             text = tr("{width} x {height} m, {columns} x {rows} px, no source lies there")
+        elif is_useless:
+            text = tr("{width} x {height} m, {columns} x {rows} px, nothing can be compared there")
         text = filled(text, **spans, columns=window.width, rows=window.height)
         return _Draft(grid.window_extent(window), window, text, tone, seam_point)
 

@@ -15,7 +15,7 @@ from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.tool_dock import write_log
-from ....toolkit.translation import filled, tr
+from ....toolkit.translation import filled, shown_metres, tr
 from ... import jobs
 from ...measure import messages
 from ...measure.planning.window_placing import Placement
@@ -83,8 +83,7 @@ class NewWindows(QObject):
     def add_scanned(self, worst: QgsVectorLayer) -> list[int]:
         """Take the worst places of a scan; one of which most lies in a judged window is that. Feature ids, the worst
         first."""
-        self._with_layer()
-        layer = self._watch.writable()
+        grid, layer = self._with_layer().mosaic.grid, self._watch.writable()
         assert layer is not None
         features = sorted(worst.getFeatures(), key=lambda feature: feature["window_id"])
         outlines = self._block.shapes(worst, [feature.id() for feature in features], layer.crs())
@@ -97,7 +96,9 @@ class NewWindows(QObject):
         new = iter(self._add(places, filled(tr("adding {count} places of a scan"), count=len(places))))
         fids = [next(new) if fid is None else fid for fid in there]
         count = len(set(fids))
-        self.notified.emit(keeping_messages.PLACES_TAKEN(count=count, there=count - len(places)))
+        widths = [feature.geometry().boundingBox().width() * grid.metres_x for feature in features] or [0.0]
+        sides = " - ".join(dict.fromkeys(map(shown_metres, (min(widths), max(widths)))))
+        self.notified.emit(keeping_messages.PLACES_TAKEN(count=count, sides=sides, there=count - len(places)))
         return fids
 
     def copy_file(self) -> None:

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qgis.PyQt.QtCore import QT_TR_NOOP, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 
+from ....imagery.limits import MAX_SIGNIFICANT_RATIO
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
-from ....toolkit.translation import filled, shown_number, tr
+from ....toolkit.translation import filled, tr
 from ...measure.window_records import SEAM
-from ...window_summary import shown_area, told_cause, window_sentence, window_why
+from ...window_summary import shown_area, two_digits, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ class TableColumn(NamedTuple):
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
-            return rich_tip(cause_sentence(told_cause(row)))
+            return rich_tip(cause_sentence(row.cause))
         return window_tip(row, result)
 
 
@@ -118,7 +119,7 @@ COLUMNS = (
     TableColumn(
         "ratio", QT_TR_NOOP("ratio 1"),
         QT_TR_NOOP("Detail at level 1 in the mosaic as a multiple of the least sharp source's."),
-        lambda row: "" if row.ratio is None else shown_number(row.ratio), lambda row: row.ratio,
+        lambda row: two_digits(row.ratio, MAX_SIGNIFICANT_RATIO), lambda row: row.ratio,
         _ALIGNED_RIGHT,
     ),
     TableColumn(
@@ -130,7 +131,7 @@ COLUMNS = (
     TableColumn(
         "cause", QT_TR_NOOP("cause"),
         QT_TR_NOOP("The step of production that explains what happened to the contrast."),
-        lambda row: cause_word(told_cause(row)), lambda row: cause_word(told_cause(row)).casefold() or None,
+        lambda row: cause_word(row.cause), lambda row: cause_word(row.cause).casefold() or None,
     ),
     _plain("sources", QT_TR_NOOP("sources"), QT_TR_NOOP("How many sources the mosaic was compared with."),
            _ALIGNED_RIGHT),
@@ -138,13 +139,10 @@ COLUMNS = (
               QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification.")),
     _observed("observer_2", QT_TR_NOOP("observer 2"), QT_TR_NOOP("What the second operator saw at 2x magnification.")),
     _plain("confidence", QT_TR_NOOP("sure (%)"), QT_TR_NOOP("How sure the observer is."), _ALIGNED_RIGHT),
-    _plain("confidence_2", QT_TR_NOOP("sure 2 (%)"), QT_TR_NOOP("How sure the second operator is."), _ALIGNED_RIGHT),
     _plain("remark", QT_TR_NOOP("remark"), QT_TR_NOOP("The observer's remark.")),
-    _plain("remark_2", QT_TR_NOOP("remark 2"), QT_TR_NOOP("The second operator's remark.")),
-    _plain("reason", QT_TR_NOOP("reason"), QT_TR_NOOP("Why the mosaic could not be compared with a source.")),
 )  # fmt: skip
 """From left to right; those that stand empty, or there is no room for, are left out."""
-_SAID = ("observer_2", "confidence", "confidence_2", "remark", "remark_2")
+_SAID = ("observer_2", "confidence", "remark")
 
 
 def used_columns(rows: Sequence[WindowRecord]) -> frozenset[str]:

@@ -76,7 +76,7 @@ class WindowWatch(QObject):
         self._forget()
         for signal, slot in self._signals():
             signal.connect(slot)
-        if had_windows or self._last_selected is None or self._by_fid():
+        if had_windows or self._last_selected is None or self._layer is not None:
             self._notifier.start()
 
     @contextmanager
@@ -232,7 +232,7 @@ class WindowWatch(QObject):
             (layer.featureDeleted, self._feature_deleted),
             (layer.attributeValueChanged, self._feature_changed),
             (layer.geometryChanged, self._feature_changed),
-            (layer.updatedFields, self._fields_changed),
+            (layer.updatedFields, self._all_changed),
             (layer.subsetStringChanged, self._all_changed),
             (layer.afterCommitChanges, self._all_changed),
             (layer.afterRollBack, self._was_rolled_back),
@@ -262,8 +262,7 @@ class WindowWatch(QObject):
         self._unread = None
         self._notifier.start()
 
-    def _fields_changed(self) -> None:
-        self._all_changed()
+    def _tell_missing(self) -> None:
         if self._layer is not None and self.path is not None:
             there = self._layer.fields().names()
             missing = [name for name in window_file.window_fields(0).names() if name not in there]
@@ -283,6 +282,7 @@ class WindowWatch(QObject):
 
     def _notify(self) -> None:
         self.windowsChanged.emit()
+        self._tell_missing()
         self._tell_selection()  # saving gives features other ids, and undo takes them away
 
     def _tell_selection(self) -> None:

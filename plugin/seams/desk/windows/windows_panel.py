@@ -15,7 +15,6 @@ from ....imagery.statistics import FIRST, UNSURE, Operator
 from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, tr
 from ...measure.window_records import WindowRecord
-from ...window_summary import told_cause
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import WINDOW_ID, verdict_chip
 from .windows_table import WindowsModel, WindowsTable
@@ -44,7 +43,7 @@ def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None) -> bo
     if allowed is not None:
         said = row.observer if FIRST.observer in allowed else row.observer_2
         return any(part.startswith(word) for part in observer_word(said).casefold().split())
-    words = verdict_word(row.verdict), cause_word(told_cause(row)), observer_word(row.observer), row.read("origin")
+    words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer), row.read("origin")
     said = " ".join(map(str, filter(None, words)))
     return any(part.startswith(word) for part in said.casefold().split()) or word in row.reason.casefold()
 

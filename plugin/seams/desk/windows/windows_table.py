@@ -149,11 +149,9 @@ class WindowsModel(QAbstractTableModel):
         return self._chips[verdict]
 
 
-_GIVING_WAY = (
-    "reason", "paper_verdict", "sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2",
-)
+_GIVING_WAY = ("paper_verdict", "sources", "remark", "confidence", "ratio", "observer_2")
 """Columns without room, the first that go first; verdict, loss, cause and observer always stay."""
-_CUT_SHORT = ("cause", "observer", "observer_2", "remark", "remark_2", "reason", "verdict")
+_CUT_SHORT = ("cause", "observer", "observer_2", "remark", "verdict")
 """Columns of words that are known by their first letters, in the order in which they are cut, and get room again; the
 verdict only when no column is there to give way."""
 _LETTERS = 8  # that words have at least beyond their heading before another column goes

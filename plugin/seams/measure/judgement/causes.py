@@ -283,7 +283,9 @@ class Cause(str, Enum):
 
 
 ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)
-"""Causes that take detail beside a seam alone; the others do in the whole window."""
+"""Causes that take detail beside a seam alone."""
+ALL_OVER = (Cause.BLUR, Cause.RESAMPLED, Cause.COMPRESSED, Cause.CLIPPING, Cause.DODGING)
+"""Causes that take detail in the whole window."""
 
 
 def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
@@ -305,9 +307,10 @@ def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
 def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
     """What a seam lost: to a filter, to another mixture, or to weights, of which a misfit has its share.
 
-    That share is what images that fit would give back, beside what a feather as wide as the judged strip would.
+    That share is what images that fit would give back, beside what a feather as wide as the judged strip would; the
+    farther apart they lie, the less that is a remedy.
     """
-    misfit = evidence.misfit.share if evidence.misfit else 0.0
+    misfit, apart_px = (evidence.misfit.share, evidence.misfit.px) if evidence.misfit else (0.0, 0.0)
     misfit = misfit if misfit >= MIN_MISFIT_SHARE else 0.0
     # A cut of images that do not fit breaks lines and loses nothing.
     taken = {Cause.MISREGISTRATION: 0.0} if misfit else {}
@@ -319,7 +322,8 @@ def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
         return {**taken, Cause.OTHER_MIXTURE: evidence.lost}
     mixed = evidence.mixed_loss
     if mixed:
-        narrowed = max(1 - misfit, 1 - 2 * STRIP_PX / max(evidence.feather_width_px, 2 * STRIP_PX))
+        beyond_strip = 1 - 2 * STRIP_PX / max(evidence.feather_width_px, 2 * STRIP_PX)
+        narrowed = max(1 - misfit, beyond_strip / max(apart_px, 1))
         taken = dict.fromkeys(taken, misfit / (misfit + narrowed) * mixed * evidence.lost)
         taken[Cause.FEATHERING] = narrowed / (misfit + narrowed) * mixed * evidence.lost
     if mixed < 1:

@@ -10,6 +10,7 @@ from ....imagery.wavelets import Curve, Directions
 from ..compared_image import Change
 from ..judgement.causes import Cause
 from ..judgement.explanation import Explanation
+from ..judgement.loss_place import LossPlace
 from ..judgement.verdicts import MAX_KEPT_LOW, Judgement, Ratios, Verdict
 from ..limits import SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
@@ -147,8 +148,18 @@ class WindowResult:
 
     @property
     def causes(self) -> tuple[Cause, ...]:
-        """All that were found, what took most first."""
-        return self.explanation.causes if self.explanation else ()
+        """All that were found: what took the detail that the verdict goes by, then the others, what took most first."""
+        causes = self.explanation.causes if self.explanation else ()
+        first = self.loss_place.decisive(causes) if self.reference == SEAM else causes
+        return tuple(sorted(causes, key=lambda cause: cause not in first))
+
+    @property
+    def loss_place(self) -> LossPlace:
+        """The place of the loss that the verdict goes by, where that was taken by the seam."""
+        kept, high = (self.profile.kept[0], self.profile.high) if self.profile else (None, None)
+        return LossPlace(
+            self.judgement.verdict.value, kept, high, self.explanation.sharpness if self.explanation else None
+        )
 
     @property
     def explained(self) -> float | None:

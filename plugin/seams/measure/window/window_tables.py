@@ -107,7 +107,7 @@ MEASURED = (
     WindowField(
         "unclear_share", "real", _explained("unclear_share"), title=QT_TR_NOOP("share where no source wins clearly")
     ),
-    WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
+    WindowField("cause", "text", lambda result: result.causes[0].value if result.causes else None),
     WindowField("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
     WindowField("reference", "text", lambda result: result.reference),
     WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value),

@@ -330,9 +330,16 @@ def test_a_misfit_goes_first_where_it_is_more_than_half_of_what_a_feather_took(
     )
 
 
-@pytest.mark.parametrize(("width_px", "first"), [(2 * STRIP_PX, Cause.MISREGISTRATION), (1400.0, Cause.FEATHERING)])
-def test_a_misfit_goes_behind_where_a_narrower_feather_gives_back_more(width_px: float, first: Cause) -> None:
-    causes = causes_taken(evidence(**{**FEATHERED, "feather_width_px": width_px}, lost=0.2, misfit=Misfit(0.9, 0.8)))
+@pytest.mark.parametrize(
+    ("width_px", "apart_px", "first"),
+    [(2 * STRIP_PX, 0.9, Cause.MISREGISTRATION), (1400.0, 0.9, Cause.FEATHERING), (1400.0, 8.4, Cause.MISREGISTRATION)],
+)
+def test_a_misfit_goes_behind_where_a_narrower_feather_gives_back_more(
+    width_px: float, apart_px: float, first: Cause
+) -> None:
+    """A narrower feather would break the lines of images that lie far apart."""
+    misfit = Misfit(apart_px, 0.8)
+    causes = causes_taken(evidence(**{**FEATHERED, "feather_width_px": width_px}, lost=0.2, misfit=misfit))
     assert causes[0][0] is first
     assert {cause for cause, _ in causes} == {Cause.MISREGISTRATION, Cause.FEATHERING}
     assert sum(share for _, share in causes) == pytest.approx(0.2)

@@ -18,6 +18,8 @@ class FakeSession(QObject):
     """Inputs that can be set; one seam along a meridian; three sources over every window."""
 
     inputsChanged = pyqtSignal()
+    liveChanged = pyqtSignal()
+    messageRaised = pyqtSignal(str, int)
     windowsChanged = pyqtSignal()
     progressChanged = pyqtSignal(int, int)
 
@@ -29,6 +31,7 @@ class FakeSession(QObject):
         self.source_count = 3
         self.hovered: tuple[PixelWindow, bool] | None = None
         """The window under the mouse, and whether its curves follow."""
+        self.useless: PixelWindow | None = None
         self.added: list[PixelWindow] = []
         self.settings: list[Inputs] = []
         self.layer: QgsVectorLayer | None = None
@@ -71,6 +74,9 @@ class FakeSession(QObject):
 
     def hover(self, window: PixelWindow, is_live: bool) -> None:
         self.hovered = window, is_live
+
+    def is_useless(self, window: PixelWindow) -> bool:
+        return self.useless == window
 
     def leave(self) -> None:
         self.hovered = None

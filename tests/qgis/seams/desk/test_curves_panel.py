@@ -12,7 +12,7 @@ from qgis.PyQt.QtGui import QColor, QHelpEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QToolTip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves, told_apart
+from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import CurvesChart
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
@@ -187,6 +187,18 @@ def test_one_window_shows_mosaic_sources_and_limit(session: CurvesSession, panel
     assert panel._status.text() == "Window 12"
 
 
+def test_sources_of_the_table_that_have_no_curve_are_told(session: CurvesSession, panel: CurvesPanel) -> None:
+    session.add(1, make_result(sources=2))
+    session.rows = [replace(row, sources=4) for row in session.rows]
+    session.select([1])
+    wait_for_timer(panel)
+    assert panel._status.text() == "Window 12; 2 more sources end in it"
+    session.rows = [replace(row, sources=2) for row in session.rows]
+    session.selectionChanged.emit()
+    wait_for_timer(panel)
+    assert panel._status.text() == "Window 12"
+
+
 def test_a_tip_says_the_value_of_the_point_under_the_mouse(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     chart = panel.findChild(CurvesChart)
@@ -204,24 +216,6 @@ def test_of_many_sources_as_many_stand_in_the_legend_as_there_is_room_for(
     names = labels(panel)
     assert names[:2] == ["mosaic.tif", "ortho_2024_flight_0412_0031.tif"]
     assert names[-1] == f"and {43 - len(names)} more"  # of 42 names and this one
-
-
-def test_names_that_do_not_fit_are_told_apart() -> None:
-    assert told_apart(["DJI_0027_ortho.tif", "DJI_0031_ortho.tif"]) == ["…0027…", "…0031…"]
-    assert told_apart(["a1.tif", "b.tif"]) == ["a1…", "b…"]
-    for alike in (["a.tif"], ["a.tif", "a.tif"], []):
-        assert told_apart(alike) == alike
-
-
-def test_a_source_keeps_its_colour_from_window_to_window(session: CurvesSession, panel: CurvesPanel) -> None:
-    whole = make_result(sources=3)
-    select_one(session, whole)
-    colour = seen(panel, (3, 1))
-    assert colour == QColor(PAPER.sources[2])
-    session.add(2, replace(whole, window_id=13, clips=(whole.clips[0], whole.clips[3])))
-    session.select([2])
-    settle()
-    assert seen(panel, (1, 1)) == colour
 
 
 # when it draws

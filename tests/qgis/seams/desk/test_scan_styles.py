@@ -9,9 +9,11 @@ from qgis.core import (
     QgsApplication,
     QgsExpression,
     QgsExpressionContext,
+    QgsGeometry,
     QgsMapRendererSequentialJob,
     QgsMapSettings,
     QgsRasterLayer,
+    QgsRectangle,
 )
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QColor
@@ -96,3 +98,20 @@ def test_labels_are_no_windows_numbers_and_seen_to_lie_beyond_the_limit(
     context = QgsExpressionContext()
     context.setFeature(next(shown.getFeatures()))
     assert QgsExpression(shown.labeling().settings().fieldName).evaluate(context) == said
+
+
+@pytest.mark.parametrize("style", ["windows", "seams", "defects"])
+def test_numbers_of_map_tips_lie_on_their_side_of_the_limit(qgis_app: QgsApplication, style: str) -> None:
+    numbers = {"kept_1": 0.6996, "kept_low": 0.62, "kept_high": 0.703, "band_width": 1.26, "defect": 3.0, "length": 5.0}
+    words = {"verdict": "reduced", "reference": "seam", "left_source": "a", "right_source": "b"}
+    kinds = {**{name: ("double", [number]) for name, number in numbers.items()},
+             **{name: ("string", [word]) for name, word in words.items()}}
+    outline = QgsGeometry.fromRect(QgsRectangle(0, 0, 9, 9))
+    polygon, course = ("Polygon", [outline]), ("LineString", [line((0, 0), (9, 9))])
+    shown = layer(*(polygon if style == "windows" else course), **kinds)
+    shown.loadNamedStyle(style_path(style))
+    context = QgsExpressionContext()
+    context.setFeature(next(shown.getFeatures()))
+    tip = QgsExpression.replaceExpressionText(shown.mapTipTemplate(), context)
+    assert ": 69.96 % (62" in tip
+    assert "70.3 %), in a width of 1.3 m" in tip

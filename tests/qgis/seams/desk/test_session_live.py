@@ -1,6 +1,7 @@
 """The window under the mouse: live curves, measured ahead where the mouse rests, files let go."""
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -8,7 +9,8 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesAndProfile
 from seam_inspector.plugin.seams.measure.window import measured_window
 
-from tests.qgis.scenes import BLURRED
+from tests.numbers.synthetic import write_raster
+from tests.qgis.scenes import BLURRED, whole
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, Desk, settle, wait_until
 
 ACROSS = PixelWindow(BLURRED[0] + 8, BLURRED[1] + 8, 64, 64)
@@ -55,6 +57,27 @@ def test_a_click_where_the_mouse_rested_reads_nothing_again(desk: Desk, monkeypa
     session.add_window(ACROSS)
     desk.wait()
     assert measured == [BLURRED_WINDOW, ACROSS]
+
+
+@pytest.mark.parametrize("is_live", [True, False])
+def test_where_the_mouse_rests_it_is_known_whether_anything_can_be_compared(
+    desk: Desk, tmp_path: Path, is_live: bool
+) -> None:
+    pixels = whole(Path(desk.mosaic.source()))
+    pixels[..., :70, :] = 0
+    desk.mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
+    desk.set(desk.inputs())
+    session, emitted, holed = desk.session, [], PixelWindow(0, 0, 128, 128)
+    session.liveChanged.connect(lambda: emitted.append(session.is_useless(holed)))
+    session.liveChanged.connect(lambda: session.hover(holed, is_live))  # as the tool does
+    session.hover(holed, is_live)
+    wait_until(lambda: session.is_useless(holed))
+    settle(0.3)
+    assert emitted.count(True) == 1
+    session.liveChanged.disconnect()
+    session.hover(PixelWindow(320, 72, 128, 128), is_live)
+    wait_until(lambda: not session.is_useless(holed))
+    assert not session.is_useless(PixelWindow(320, 72, 128, 128))
 
 
 def test_the_charts_show_what_is_live_then_the_selected_window_again(desk: Desk) -> None:

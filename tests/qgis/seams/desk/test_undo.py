@@ -40,7 +40,7 @@ def test_what_is_noted_beside_a_judgement_is_called_so(desk: Desk) -> None:
     fid = desk.add()
     desk.session.note([fid], {"confidence": 80})
     desk.session.note([fid], {"remark": "kerb gone"})
-    assert desk.steps()[1:] == ["how sure you are of window 1", "remark on window 1"]
+    assert desk.steps()[1:] == ["judging window 1"] * 2
 
 
 def test_an_inspection_is_undone_with_what_it_measured(desk: Desk) -> None:

@@ -85,6 +85,7 @@ def test_a_selected_window_keeps_its_colour_and_lets_the_image_be_seen(project: 
     assert after[colour] >= 0.9 * before[colour]
     assert before[SELECTION] == 0
     assert after[SELECTION] > 1000
+    assert after["#000000"] > before["#000000"] + 1000  # around the verdict's, on the selection's
     assert inside(plain) == inside(selected) == {"#ffffff"}
 
 

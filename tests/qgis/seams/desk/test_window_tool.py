@@ -160,6 +160,16 @@ def test_where_no_source_lies_the_outline_says_so_and_a_click_makes_it_all_the_s
     assert operator.session.added == [PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
 
 
+def test_where_nothing_can_be_compared_the_outline_says_so_once_that_is_known(operator: Operator) -> None:
+    operator.move(MIDDLE)
+    assert operator.text == "12.8 x 12.8 m, 128 x 128 px"
+    operator.session.useless = PixelWindow(2048 - 64, 1024 - 64, 128, 128)
+    operator.session.liveChanged.emit()
+    assert operator.text == "12.8 x 12.8 m, 128 x 128 px, nothing can be compared there"
+    operator.move((2048 + 40, 1024))
+    assert operator.text == "12.8 x 12.8 m, 128 x 128 px"
+
+
 def test_other_map_reference_system(operator: Operator) -> None:
     operator.canvas.setDestinationCrs(WEB_MERCATOR)
     operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))

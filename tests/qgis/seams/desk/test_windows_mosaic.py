@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 from seam_inspector.plugin.imagery.errors import Message
+from seam_inspector.plugin.seams.desk.session import Session
 
 from tests.qgis.emptied import UNDEFINED
 from tests.qgis.scenes import SHARP, Scene, windows
@@ -108,9 +109,19 @@ def test_a_mosaic_that_comes_back_brings_its_windows(
     assert len(asked) == 1
 
 
-def test_a_field_that_was_renamed_is_told(desk: Desk, asked: list[Message]) -> None:
+def test_a_field_that_was_renamed_is_told_then_and_when_the_desk_opens(desk: Desk, asked: list[Message]) -> None:
     windows = desk.layer()
     assert windows.startEditing()
     windows.renameAttribute(windows.fields().indexOf("verdict"), "werdykt")
     assert windows.commitChanges()
+    settle()
     assert [text for text in desk.messages if "'verdict'" in text] == desk.messages[-1:]
+    desk.session.close()
+    desk.session = Session()
+    desk.listen(desk.session)  # who listens is there once it is made
+    desk.wait_for_opening()
+    settle()
+    assert ["'verdict'" in text for text in desk.messages].count(True) == 2
+    windows.updateFields()
+    settle()
+    assert ["'verdict'" in text for text in desk.messages].count(True) == 2

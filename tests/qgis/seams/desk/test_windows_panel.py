@@ -8,6 +8,7 @@ from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.imagery.statistics import FIRST
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.session_desk import wait_until
@@ -43,7 +44,7 @@ def place_of(panel: WindowsPanel, fid: int) -> QPoint:
 def test_cells(panel: WindowsPanel) -> None:
     texts = [cell(panel, 2, column) for column in range(8)]
     assert texts == ["2", "significant", "44 m²", "0.38", "reduced", "feathering", "2", "visible"]
-    assert [cell(panel, 3, column) for column in range(2, 14)] == [""] * 12
+    assert [cell(panel, 3, column) for column in range(2, len(COLUMNS))] == [""] * (len(COLUMNS) - 2)
     assert cell(panel, 3, VERDICT) == "not inspected"
 
 
@@ -115,7 +116,7 @@ def test_ratios_stand_in_the_table_where_a_verdict_is_taken_by_them(
 
     session.put(by_seam)
     wait_until(lambda: "ratio" not in shown(), "for the columns")
-    assert shown() == ["window_id", "verdict", "loss", "paper_verdict", "cause", "sources", "observer", "reason"]
+    assert shown() == ["window_id", "verdict", "loss", "paper_verdict", "cause", "sources", "observer"]
     session.put([replace(row, verdict="") for row in ROWS])  # placed, and nothing measured
     wait_until(lambda: "ratio" not in shown(), "for the columns")
     session.put([replace(by_seam[0], reference="sources"), *by_seam[1:]])  # of one more, in its place
@@ -131,7 +132,7 @@ def test_as_many_columns_are_seen_as_there_is_room_for(
     QApplication.processEvents()
     names = set(columns_of(panel))
     assert names >= {"window_id", "verdict", "loss", "cause", "observer"}
-    assert ("reason" in names) == (width == 2000)
+    assert ("remark" in names) == (width == 2000)
     assert panel.table.horizontalScrollBar().maximum() == 0
 
 

@@ -5,7 +5,15 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsGeometry,
+    QgsNullSymbolRenderer,
+    QgsPalLayerSettings,
+    QgsPointXY,
+    QgsRectangle,
+    QgsVectorLayerSimpleLabeling,
+)
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
@@ -17,6 +25,7 @@ from seam_inspector.plugin.seams.desk.map.lost_detail import (
     rgba_image,
 )
 
+from tests.qgis.scenes import layer
 from tests.qgis.seams.desk.profile.profile_desk import SEAM_COLUMN, WINDOW, ProfileSession, on_map
 from tests.qgis.seams.desk.session_desk import settle, wait_until
 
@@ -75,6 +84,35 @@ def test_every_pixel_lies_where_it_is_on_the_ground(canvas: QgsMapCanvas) -> Non
     overlay.close()
 
 
+def test_labels_are_not_covered(canvas: QgsMapCanvas) -> None:
+    outline = [on_map(WINDOW.column + x, WINDOW.row + y, UTM33) for x, y in ((0, 0), (WINDOW.width, WINDOW.height))]
+    (x1, y1), (x2, y2) = outline
+    shown = layer("Polygon", [QgsGeometry.fromRect(QgsRectangle(x1, y2, x2, y1))], window_id=("integer", [7777777]))
+    shown.setCrs(UTM33)
+    shown.setRenderer(QgsNullSymbolRenderer())
+    settings = QgsPalLayerSettings()
+    settings.fieldName = "window_id"
+    shown.setLabeling(QgsVectorLayerSimpleLabeling(settings))
+    shown.setLabelsEnabled(True)
+    canvas.setLayers([shown])
+    wait_until(lambda: canvas.labelingResults() is not None and canvas.labelingResults().allLabels(), "for the label")
+    (label,) = canvas.labelingResults().allLabels()
+    overlay = PictureOverlay(canvas)
+    around, red = (x1, y2, x2, y1), rgba_image(np.array([[[255, 0, 0, 255]]], np.uint8))
+    overlay.show([PlacedPicture(red, around, around)], UTM33)
+    settle(0.1)
+    image, place = canvas.grab().toImage(), canvas.getCoordinateTransform()
+    middle = place.transform(label.labelGeometry.centroid().asPoint())
+    reds = {}
+    for reach in (2, 40):
+        pixels = [QColor(image.pixel(round(middle.x()) + x, round(middle.y()) + y))
+                  for x in range(-reach, reach + 1) for y in range(-reach, reach + 1)]  # fmt: skip
+        reds[reach] = sum(colour.red() > colour.green() + 60 for colour in pixels)
+    overlay.close()
+    assert reds[2] == 0
+    assert reds[40] > 500
+
+
 def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: QgsMapCanvas) -> None:
     session = ProfileSession()
     before = len(canvas.scene().items())
@@ -108,7 +146,6 @@ def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis
     overlay = LossOverlay(canvas, session)
     session.lost_detail.setChecked(True)
     (legend,) = canvas.findChildren(LossLegend)
-    assert "No picture yet" in legend.text()
     session.results = values
     session.resultArrived.emit(1)
     wait_until(lambda: len(overlay.pictures) == 1)
