@@ -629,7 +629,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="249"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3565,7 +3565,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4348,17 +4348,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="134"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4378,7 +4378,7 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="223"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
@@ -4448,77 +4448,77 @@
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="279"/>
+        <location filename="../plugin/seams/measure/messages.py" line="280"/>
         <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="289"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="290"/>
+        <location filename="../plugin/seams/measure/messages.py" line="291"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="293"/>
+        <location filename="../plugin/seams/measure/messages.py" line="294"/>
         <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start it again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i zacznij ponownie z tym samym plikiem wyniku, aby kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="297"/>
+        <location filename="../plugin/seams/measure/messages.py" line="298"/>
         <source>{path} can&apos;t be read any more ({error}); start it again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); zacznij ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="315"/>
+        <location filename="../plugin/seams/measure/messages.py" line="316"/>
         <source>There is too little texture along this piece, a source ends beside it, or none explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą, ortoobraz źródłowy kończy się obok albo żaden go nie wyjaśnia; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="300"/>
+        <location filename="../plugin/seams/measure/messages.py" line="301"/>
         <source>The scan was stopped; started again with the same output it continues from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="239"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="241"/>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="244"/>
+        <location filename="../plugin/seams/measure/messages.py" line="245"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/messages.py" line="261"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/messages.py" line="264"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <location filename="../plugin/seams/measure/messages.py" line="276"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="356"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="363"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -4528,12 +4528,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="366"/>
+        <location filename="../plugin/seams/measure/messages.py" line="367"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="374"/>
+        <location filename="../plugin/seams/measure/messages.py" line="375"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -4548,12 +4548,12 @@
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/messages.py" line="303"/>
         <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/messages.py" line="319"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -4658,12 +4658,12 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <location filename="../plugin/seams/measure/messages.py" line="327"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -4843,7 +4843,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="366"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -4953,7 +4953,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -4998,37 +4998,37 @@
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="377"/>
+        <location filename="../plugin/seams/measure/messages.py" line="378"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="378"/>
+        <location filename="../plugin/seams/measure/messages.py" line="379"/>
         <source>Does not overlap the mosaic.</source>
         <translation>Nie nachodzi na ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="379"/>
+        <location filename="../plugin/seams/measure/messages.py" line="380"/>
         <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
         <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="380"/>
+        <location filename="../plugin/seams/measure/messages.py" line="381"/>
         <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
         <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="381"/>
+        <location filename="../plugin/seams/measure/messages.py" line="382"/>
         <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
         <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="382"/>
+        <location filename="../plugin/seams/measure/messages.py" line="383"/>
         <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
         <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="383"/>
+        <location filename="../plugin/seams/measure/messages.py" line="384"/>
         <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
@@ -6125,12 +6125,12 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
@@ -6225,47 +6225,26 @@
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
-        <source>of seam</source>
-        <translation>linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
-        <source>of seam in the sample</source>
-        <translation>linii w próbie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
-        <source>of it measured</source>
-        <translation>z tego zmierzono</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
-        <source>failed without a break</source>
-        <translation>niezgodne bez przerwy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="229"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -6420,57 +6399,57 @@
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest failure of the delivery can&apos;t be determined from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>the longest failure can&apos;t be determined from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
@@ -6943,7 +6922,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -7836,7 +7815,7 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="236"/>
+        <location filename="../plugin/seams/measure/messages.py" line="237"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -7851,12 +7830,12 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="285"/>
+        <location filename="../plugin/seams/measure/messages.py" line="286"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="311"/>
+        <location filename="../plugin/seams/measure/messages.py" line="312"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -7976,104 +7955,94 @@
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
-        <source>of what was measured failed</source>
-        <translation>zmierzonych metrów niezgodne</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
-        <source>failures: {count}, in sheets: {sheets} of {all}</source>
-        <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="127"/>
@@ -8081,67 +8050,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="258"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="352"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="346"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="272"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8256,17 +8225,17 @@
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="266"/>
+        <location filename="../plugin/seams/measure/messages.py" line="267"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="270"/>
+        <location filename="../plugin/seams/measure/messages.py" line="271"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="322"/>
+        <location filename="../plugin/seams/measure/messages.py" line="323"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -8446,14 +8415,9 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
-        <source>measured, of the {metres} on ground with detail</source>
-        <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/stated_rules.py" line="118"/>
@@ -8601,67 +8565,67 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="408"/>
+        <location filename="../plugin/seams/measure/messages.py" line="419"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="411"/>
+        <location filename="../plugin/seams/measure/messages.py" line="422"/>
         <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="415"/>
+        <location filename="../plugin/seams/measure/messages.py" line="426"/>
         <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="426"/>
+        <location filename="../plugin/seams/measure/messages.py" line="437"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="428"/>
+        <location filename="../plugin/seams/measure/messages.py" line="439"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="429"/>
+        <location filename="../plugin/seams/measure/messages.py" line="440"/>
         <source>{name} lacks bands of the mosaic: {bands}.</source>
         <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="430"/>
+        <location filename="../plugin/seams/measure/messages.py" line="441"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="436"/>
+        <location filename="../plugin/seams/measure/messages.py" line="447"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="440"/>
+        <location filename="../plugin/seams/measure/messages.py" line="451"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="442"/>
+        <location filename="../plugin/seams/measure/messages.py" line="453"/>
         <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="443"/>
+        <location filename="../plugin/seams/measure/messages.py" line="454"/>
         <source>Mending was stopped; start it again with the same outputs to continue.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="444"/>
+        <location filename="../plugin/seams/measure/messages.py" line="455"/>
         <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="445"/>
+        <location filename="../plugin/seams/measure/messages.py" line="456"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -8819,7 +8783,7 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="332"/>
+        <location filename="../plugin/seams/measure/messages.py" line="333"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -8834,12 +8798,12 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="358"/>
+        <location filename="../plugin/seams/measure/messages.py" line="359"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="370"/>
+        <location filename="../plugin/seams/measure/messages.py" line="371"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -8884,7 +8848,7 @@
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
@@ -8944,7 +8908,7 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="403"/>
+        <location filename="../plugin/seams/measure/messages.py" line="414"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -8959,7 +8923,7 @@
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="249"/>
+        <location filename="../plugin/seams/measure/messages.py" line="250"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -9197,7 +9161,7 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="295"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="289"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -9266,7 +9230,7 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -9291,12 +9255,12 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="432"/>
+        <location filename="../plugin/seams/measure/messages.py" line="443"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="433"/>
+        <location filename="../plugin/seams/measure/messages.py" line="444"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
@@ -9416,12 +9380,12 @@
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="418"/>
+        <location filename="../plugin/seams/measure/messages.py" line="429"/>
         <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="422"/>
+        <location filename="../plugin/seams/measure/messages.py" line="433"/>
         <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
@@ -9541,62 +9505,57 @@
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
-        <source>Files that are as they were scanned: {count}.</source>
-        <translation>Pliki takie, jak je skanowano: {count}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="198"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="198"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="198"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="202"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9626,17 +9585,17 @@
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="387"/>
+        <location filename="../plugin/seams/measure/messages.py" line="388"/>
         <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="391"/>
+        <location filename="../plugin/seams/measure/messages.py" line="397"/>
         <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="395"/>
+        <location filename="../plugin/seams/measure/messages.py" line="401"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -9656,12 +9615,12 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="345"/>
+        <location filename="../plugin/seams/measure/messages.py" line="346"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/messages.py" line="351"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -9798,7 +9757,7 @@
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="384"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
@@ -9823,17 +9782,17 @@
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
@@ -9843,12 +9802,12 @@
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -9985,12 +9944,12 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
@@ -10005,7 +9964,7 @@
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="306"/>
+        <location filename="../plugin/seams/measure/messages.py" line="307"/>
         <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -10020,7 +9979,7 @@
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
         <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -10045,42 +10004,42 @@
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="319"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="331"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="335"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="338"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
@@ -10095,12 +10054,12 @@
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10135,12 +10094,7 @@
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="232"/>
-        <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
-        <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="247"/>
+        <location filename="../plugin/seams/measure/messages.py" line="248"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
@@ -10173,47 +10127,47 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="434"/>
+        <location filename="../plugin/seams/measure/messages.py" line="445"/>
         <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="437"/>
+        <location filename="../plugin/seams/measure/messages.py" line="448"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="438"/>
+        <location filename="../plugin/seams/measure/messages.py" line="449"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
         <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
@@ -10273,7 +10227,7 @@
         <translation>Odcinek, który ma zachować 0, jest zawsze zgodny; podaj część, którą ma zachować, np. 0,7.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
@@ -10323,7 +10277,7 @@
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="239"/>
+        <location filename="../plugin/seams/measure/messages.py" line="240"/>
         <source>{path} names no reference system, so it is taken in the mosaic&apos;s.</source>
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
@@ -10338,7 +10292,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="336"/>
+        <location filename="../plugin/seams/measure/messages.py" line="337"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
@@ -10348,37 +10302,37 @@
         <translation>najwyżej {limit:.1f} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>The layer &apos;{name}&apos; can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
         <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10457,27 +10411,22 @@
         <translation>podano pliki, które nie są tymi, które skanowano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
         <source>{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along {unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ</source>
         <translation>ocenia się {judged:.0f} m linii mozaikowania; wzdłuż {unchanged:.0f} m z nich po obu stronach leży ten sam ortoobraz, a wzdłuż {unseen:.0f} m, których się nie ocenia, skanowanie zobaczyło jego zmianę (najdłuższa w okolicy {place}); różnić się może {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
         <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them to the scan.</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj do skanowania ortoobrazy po ich bokach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
-        <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not measured.</source>
-        <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
@@ -10532,7 +10481,7 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="399"/>
+        <location filename="../plugin/seams/measure/messages.py" line="405"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -10552,12 +10501,12 @@
         <translation>Odcinek próby nie leży na ortofotomapie; podaj tę, która obejmuje wszystkie arkusze, i sprawdź układy odniesienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>What would decide it: one scan of each mosaic, and of sheets that overlap as one mosaic.</source>
         <translation>Co by rozstrzygnęło: jeden skan każdej ortofotomapy, a arkuszy, które się nakładają, jako jednej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>{name} can&apos;t be read as a layer of lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; wybierz warstwę „Odcinki linii mozaikowania” ze skanu.</translation>
     </message>
@@ -10591,7 +10540,7 @@
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami, nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
@@ -10671,7 +10620,7 @@
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="135"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10681,12 +10630,12 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="253"/>
+        <location filename="../plugin/seams/measure/messages.py" line="254"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="257"/>
+        <location filename="../plugin/seams/measure/messages.py" line="258"/>
         <source>The geometry of no feature of the seamline layer can be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
@@ -10725,12 +10674,12 @@
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>What would decide it: an operator&apos;s look, by which whoever signs decides, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora, na którego podstawie rozstrzyga ten, kto podpisuje, bo wszystkie linie mozaikowania leżą na terenie bez szczegółów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
         <source>What would decide it: an operator&apos;s look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}); whoever signs decides by that.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora odcinków, których przedziały obejmują próg ({metres:.0f} m, odcinków: {count}); na tej podstawie rozstrzyga ten, kto podpisuje.</translation>
     </message>
@@ -10740,12 +10689,12 @@
         <translation>Nierozstrzygnięte są też: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured</source>
         <translation>skanowanie nie miało ortoobrazów, które wymieniają linie mozaikowania ({names}), więc linii obok nich nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.</source>
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
@@ -10775,12 +10724,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10826,17 +10775,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="229"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="289"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="291"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10870,44 +10819,39 @@
         <translation>nie udało się odczytać {share:.2%} ortofotomapy „{name}”, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
         <source>What would decide it: an operator&apos;s look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not measure enough; the field &apos;reason&apos; of the seams says why.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie decyduje podpisujący. Skanowanie tych ortoobrazów z odcinkami dość krótkimi, by wykazać usterkę, nie zmierzyłoby wystarczająco dużo; przyczyny podaje pole „reason” linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
         <source>What would decide it: a scan with the orthoimages that are missing.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
         <source>What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them have a wrong georeference.</source>
         <translation>Co by rozstrzygnęło: badanie ortofotomapy i ortoobrazów, które leżą w tym samym miejscu. Zapytaj wykonawcę, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
         <source>Only {share:.0%} of the mosaic of &apos;{name}&apos; were scanned, in its corridor; seams elsewhere are unknown.</source>
         <translation>W „{name}” obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
         <source>The scan of &apos;{name}&apos; measured along the seamlines that it was given; a seam that these lack is noticed only if it is longer than some 150 pixels.</source>
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="258"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
-        <source>of these may keep enough</source>
-        <translation>z nich może zachować dość</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/charts/curves_tab.py" line="84"/>
@@ -10950,7 +10894,7 @@
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <location filename="../plugin/seams/measure/messages.py" line="341"/>
         <source>The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.</source>
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
@@ -11072,72 +11016,67 @@
         <translation>{share:.0%} ortofotomapy „{name}” nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}; najwięcej w pobliżu {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}</source>
         <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %</source>
         <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m (PIECE), with which some {share:.0%} of the metres would be measured.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami po {piece:.0f} m (PIECE), przy których udałoby się zmierzyć około {share:.0%} metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
         <source>What would decide it: a scan with orthoimages that have pixels on both sides of the seams. Those that were given lack them along {metres:.0f} m, such as at {x:.1f}, {y:.1f}; ask the producer for them.</source>
         <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, które mają piksele po obu stronach linii mozaikowania. Tym, które podano, brakuje ich wzdłuż {metres:.0f} m, na przykład w miejscu {x:.1f}, {y:.1f}; poproś o nie wykonawcę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>The layers of seams were measured with different settings: {setting} is {values}.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
         <source>Windows that operators inspected: {count}; with a cause: {causes}; judged visible: {visible}, invisible: {invisible}. They explain failures and do not change the decision.</source>
         <translation>Okna skontrolowane przez operatorów: {count}; z przyczyną: {causes}; uznane za widoczne: {visible}, za niewidoczne: {invisible}. Wyjaśniają usterki i nie zmieniają decyzji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
-        <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted.</source>
-        <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>The scan of &apos;{name}&apos; found the seams from the pixels, without seamlines, and wide feathers hide some of them.</source>
         <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, bez linii od wykonawcy, a szerokie wtapianie część z nich ukrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>what is kept is known too roughly</source>
         <translation>zachowanie znane zbyt zgrubnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
         <source>the orthoimages have no pixels beside the seam</source>
         <translation>ortoobrazy nie mają pikseli obok linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>orthoimages along the seams</source>
         <translation>ortoobrazy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>; sheets rejected by themselves: {count}</source>
         <translation>; arkusze odrzucone same w sobie: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>no pixels beside {metres} of seam, such as at {place}; to be given by the producer</source>
         <translation>brak pikseli obok {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>their files can&apos;t be read</source>
         <translation>nie można odczytać ich plików</translation>
     </message>
@@ -11234,14 +11173,9 @@
         <translation>Linie mozaikowania bez okna, bo leżą w oknach dłuższych linii lub poza ortofotomapą albo są krótsze niż {shortest:.2f} m: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="281"/>
+        <location filename="../plugin/seams/measure/messages.py" line="282"/>
         <source>The scan starts from the beginning, as one of its files, a setting or the plugin&apos;s version changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmienił się któryś z plików, ustawienia lub wersja wtyczki.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
-        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with {metres:.0f} m that were not measured it may be up to {high:.2%}</source>
-        <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wraz z {metres:.0f} m, których nie zmierzono, może to być nawet {high:.2%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="97"/>
@@ -11249,7 +11183,7 @@
         <translation>Każdy odcinek linii mozaikowania na terenie ze szczegółami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured.</source>
         <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania.</translation>
     </message>
@@ -11277,6 +11211,56 @@
         <location filename="../plugin/seams/desk/session.py" line="299"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <source>along {metres:.0f} m of seam the mosaic is mixed into the orthoimages ({names}), which hides what it lost there</source>
+        <translation>wzdłuż {metres:.0f} m linii mozaikowania ortofotomapa jest domieszana do ortoobrazów ({names}), co ukrywa to, co tam straciła</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
+        <source>failed: {failed} of {length}; {share} of that may keep enough; failures: {count}, in sheets: {sheets} of {all}</source>
+        <translation>niezgodne: {failed} z {length}; {share} z tego może zachować dość; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
+        <source>failed: {failed} of {length}</source>
+        <translation>niezgodne: {failed} z {length}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <source>the mosaic is mixed into them along {metres} of seam, such as at {place}</source>
+        <translation>ortofotomapa jest do nich domieszana wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <source>not given: {names}</source>
+        <translation>nie podano: {names}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="232"/>
+        <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage. Check the reference systems, the field that names the orthoimages, and that these are not cut from the mosaic.</source>
+        <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu. Sprawdź układy współrzędnych, pole, które nazywa ortoobrazy, i czy nie wycięto ich z ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="392"/>
+        <source>All {count} orthoimages show the mosaic&apos;s pixels on both sides of its seams: they are copies of it, or parts of the only image that it was made of, and can&apos;t show what it lost. Give the orthoimages as they were rectified, before the mosaic was made, or none, to scan along seamlines alone.</source>
+        <translation>Wszystkie ortoobrazy ({count}) mają po obu stronach linii mozaikowania piksele ortofotomapy: są jej kopiami albo częściami jedynego obrazu, z którego ją wykonano, i nie pokażą, co straciła. Podaj ortoobrazy po ortorektyfikacji, sprzed wykonania ortofotomapy, albo żadnych, aby skanować wzdłuż samych linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="409"/>
+        <source>Along {metres:.0f} m of seam, such as at {x:.1f}, {y:.1f}, up to {share:.0f} % of the mosaic are mixed into the orthoimages ({names}), which hides what it lost there. Ask for the orthoimages as they were before the mosaic was made.</source>
+        <translation>Wzdłuż {metres:.0f} m linii mozaikowania, na przykład w miejscu {x:.1f}, {y:.1f}, do {share:.0f} % ortofotomapy domieszano do ortoobrazów ({names}), co ukrywa to, co tam straciła. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
+        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown, such as {metres:.0f} m that were not measured, it may be up to {high:.2%}</source>
+        <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wraz z tym, czego nie wiadomo, na przykład z {metres:.0f} m, których nie zmierzono, może to być do {high:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <source>{count} mosaics were scanned one by one: seams on their borders do not count, where they overlap twice.</source>
+        <translation>Ortofotomapy skanowano osobno (liczba: {count}): linie mozaikowania wzdłuż ich granic się nie liczą, a tam, gdzie się pokrywają, liczą się dwa razy.</translation>
     </message>
 </context>
 </TS>
