@@ -191,8 +191,12 @@ def test_a_cover_full_of_findings_is_one_page(
         "unseen_at": "500088 5187870 48 99", "unchanged_metres": "69.7",
     }  # fmt: skip
     kept = [0.5, 0.5, *[0.9] * 10, *[None] * 12]
-    made("acceptmosaic", tmp_path / "report.html", SEAMS=[sealed(seams(kept), **facts)], DEFECTS=None,
-         CONTRACT="7/2026", CLIENT="Agency", PRODUCER="Producer", DELIVERY="Delivery")
+    reasons = [
+        f"There is too little to measure along this piece: {why}"
+        for why in ("a source ends beside it", "it is blurred", "it is too short", "there is no texture")
+    ] * 6
+    made("acceptmosaic", tmp_path / "report.html", SEAMS=[sealed(seams(kept, reasons=reasons), **facts)],
+         DEFECTS=None, CONTRACT="7/2026", CLIENT="Agency", PRODUCER="Producer", DELIVERY="Delivery")
     first, second, *_ = print_page(tmp_path / "report.html", tmp_path)
     assert "cam2_101" in first.text
     assert "metadanych" in first.text
