@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4673, 0, 0),
-    "plugin/seams/measure": Measures(16903, 1, 0),
+    "plugin/seams/measure": Measures(, 1, 0),
     "plugin/seams": Measures(13082, 0, 0),
     "plugin/acceptance": Measures(5400, 1, 0),
     "plugin/toolkit": Measures(4470, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5196, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1062, 0, 0),
-    "tests": Measures(47900, 0, 0),
+    "tests": Measures(47779, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 
