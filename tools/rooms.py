@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4673, 0, 0),
-    "plugin/seams/measure": Measures(16904, 1, 0),
+    "plugin/seams/measure": Measures(16910, 1, 0),
     "plugin/seams": Measures(13082, 0, 0),
     "plugin/acceptance": Measures(5400, 1, 0),
     "plugin/toolkit": Measures(4470, 0, 0),

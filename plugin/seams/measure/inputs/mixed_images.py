@@ -29,6 +29,7 @@ from ..seamlines.seam_pieces import SeamPiece
 
 _BANDS_PX = ((6, 24), (24, 48))  # from a seam, where sharpness is compared: far off it changes as a lens makes it
 _CELL_PX, _STATION_PX = 8, 64  # of sums, and along the seam: what lies farther apart is other ground
+_LEAST_ENERGY = 100.0  # <a, a> + <b, b> of a cell: rounding alone makes 8 of whole numbers
 _FEWEST = 8  # cells on either side of a piece, and stations of two orthoimages
 LEAST_MIXED = 0.2
 """t / (1 - t) at the lower end of its 95 % interval. Honest pairs have 0.15 at most (Brighton, PackO, a photograph with
@@ -111,7 +112,7 @@ def _energies(clips: Sequence[Clip], line: np.ndarray) -> np.ndarray:
     energy = np.stack([product.reshape(cells).sum(axis=(0, 2, 4))[inside] for product in products], axis=1)
     sums = np.zeros((len(_BANDS_PX), int(vertex_stations(line)[-1] / _STATION_PX) + 1, 2, 3))
     for band, (near, far) in zip(sums, _BANDS_PX):
-        is_used = (near <= abs(distance)) & (abs(distance) < far)
+        is_used = (near <= abs(distance)) & (abs(distance) < far) & (energy[:, :2].sum(axis=1) > _LEAST_ENERGY)
         is_right, used = distance[is_used] < 0, energy[is_used]
         if min(np.count_nonzero(is_right), np.count_nonzero(~is_right)) >= _FEWEST:
             weight = 1 / (used[:, :2].sum(axis=1) + used[:, :2].mean() / 2 + np.finfo(float).tiny)

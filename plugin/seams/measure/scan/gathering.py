@@ -96,8 +96,13 @@ class Gathering:
             if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
                 notes["may_be_copies"] = ", ".join(doubtful)
             sources = {name: source.ref for name, source in zip(request.source_names, request.sources)}
+            alike = messages.SAME_ALONG_THE_SEAM.template
+            detailed = [
+                part for part in judged if part.state in (PieceState.PASSED, PieceState.FAILED)
+                or (part.reason is not None and part.reason.template == alike)
+            ]
             mixed, of_mixed = mixed_images(
-                request.mosaic, sources, [(part.left or "", part.right or "", part.piece) for part in judged]
+                request.mosaic, sources, [(part.left or "", part.right or "", part.piece) for part in detailed]
             )
             notes.update({**ground.told, **of_mixed})
             shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
