@@ -12,7 +12,7 @@ from seam_inspector.plugin.toolkit.translation import Translation, tr
 
 from tests.numbers.synthetic import orthoimage, write_raster
 from tests.printing import print_page, why_not
-from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, sealed, seams
 from tests.qgis.resolution.bar_scenes import bar_layer, make_bar_scene
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, windows
@@ -179,6 +179,28 @@ def test_a_report_is_fit_for_paper(
             assert max(lines, key=lambda word: word.bottom).height < HEADING, f"page {number} ends in a heading"
         else:
             assert len(lines) > 6, "the last page has hardly anything on it"
+
+
+@pytest.mark.parametrize("language", ["pl"], indirect=True)
+def test_a_cover_full_of_findings_is_one_page(
+    language: str, provider: QgsProcessingProvider, tmp_path: Path
+) -> None:
+    facts = {
+        "wavelet": "coif3", "seams": "given", "not_given": "cam2_101", "unexplained": "0.095",
+        "unexplained_at": "500104 5187812 64 80", "unseen_metres": "163.3", "unseen_longest": "163.3",
+        "unseen_at": "500088 5187870 48 99", "unchanged_metres": "69.7",
+    }  # fmt: skip
+    kept = [0.5, 0.5, *[0.9] * 10, *[None] * 12]
+    reasons = [
+        f"There is too little to measure along this piece: {why}"
+        for why in ("a source ends beside it", "it is blurred", "it is too short", "there is no texture")
+    ] * 6
+    made("acceptmosaic", tmp_path / "report.html", SEAMS=[sealed(seams(kept, reasons=reasons), **facts)],
+         DEFECTS=None, CONTRACT="7/2026", CLIENT="Agency", PRODUCER="Producer", DELIVERY="Delivery")
+    first, second, *_ = print_page(tmp_path / "report.html", tmp_path)
+    assert "cam2_101" in first.text
+    assert "metadanych" in first.text
+    assert second.text.startswith(tr("Where the seams failed"))
 
 
 @pytest.mark.release

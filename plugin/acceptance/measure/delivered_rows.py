@@ -17,7 +17,6 @@ from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.lines import vertex_stations
 from . import messages
 from .delivery import NUMBERS, TEXTS, DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, unit_metres
-from .measured_pieces import NO_VERDICT
 
 _SAME_PLACE = 1e-9  # of coordinates, millimetres: a system that a file holds in other words
 _LACKING_M = 0.05  # below it lengths are rounded
@@ -73,7 +72,7 @@ def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message
 def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer, list[Message]]:
     """A layer's pieces, with lines as it has them, whether it is as its scan left it, and what is doubtful."""
     totals, pieces, notices = seam_totals.RowTotals(), list[DeliveredPiece](), list[Message]()
-    count = without_line = impossible = lot_size = 0
+    count = without_line = lot_size = 0
     for row, line in layer.rows:
         count += 1
         totals.add(row, line)
@@ -83,14 +82,8 @@ def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer
         if not is_line(line):
             without_line += 1
             continue
-        piece = _piece(row, line, layer.sheet)
-        pieces.append(piece)
-        # Where the scan has no verdict its interval is wide, and any number may stand.
-        is_share = piece.kept_1 is not None or _number(row.get("kept_1")) is None
-        impossible += not (is_share or piece.verdict == NO_VERDICT)
+        pieces.append(_piece(row, line, layer.sheet))
     total = _number(layer.notes.get(seam_totals.METRES))
-    if impossible:
-        notices.append(messages.KEPT_IMPOSSIBLE(count=impossible, name=layer.sheet))
     if without_line:
         notices.append(messages.PIECES_WITHOUT_LENGTH(name=layer.sheet, count=without_line))
     if not count and total != 0:
@@ -207,7 +200,7 @@ def make_delivery(
     return delivery
 
 
-_SUMMED = ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres")
+_SUMMED = ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres", "mixed_metres")
 """Metres that several scans have together, also where they have the same number of them."""
 
 

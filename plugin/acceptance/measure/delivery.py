@@ -164,7 +164,6 @@ class FileDoubts:
     changed: tuple[str, ...] = ()  # changed since they were scanned
     gone: tuple[str, ...] = ()  # files of the mosaic that are not found any more
     gone_sources: tuple[str, ...] = ()  # orthoimages that are not found any more
-    same: int = 0  # how many are as they were
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given

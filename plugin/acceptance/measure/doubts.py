@@ -62,6 +62,9 @@ def lacking(
     for layer in delivery.layers:
         if names := layer.settings.get("may_be_copies"):
             yield messages.SOURCES_ARE_MOSAIC(names=names), messages.WOULD_GIVE_ORIGINALS
+        if metres := SeenGround.of_settings(layer.settings).mixed_m:
+            names = _first_names(layer.settings.get("mixed_sources", "").split(", "))
+            yield messages.SOURCES_HOLD_MOSAIC(metres=metres, names=names), messages.WOULD_GIVE_ORIGINALS
     is_open = by_rules is AcceptanceOutcome.UNDECIDED
     yield from _without_orthoimages(delivery, whole, rules.limit(MEASURED_SHARE) or 0.0, is_open)
     grounds = {layer.name: SeenGround.of_settings(layer.settings) for layer in delivery.layers}
@@ -142,8 +145,6 @@ def layer_sentences(delivery: Delivery) -> Iterator[Message]:
 
 def _files(delivery: Delivery) -> Iterator[Message]:
     files, settings = delivery.files, [layer.settings for layer in delivery.layers]
-    if files.same:
-        yield messages.FILES_AS_SCANNED(count=files.same)
     if files.mosaics > 1:
         yield messages.OF_MOSAICS(count=files.mosaics)
     alone = [scan for scan in settings if MOSAIC_FILES in scan and NEIGHBOURS not in scan]

@@ -63,8 +63,8 @@ SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
     "{high:.2%}", INFO)
 SHARE_UNKNOWN = Message(
-    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with {metres:.0f} m that were not measured "
-    "it may be up to {high:.2%}", INFO)
+    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown, such as {metres:.0f} m "
+    "that were not measured, it may be up to {high:.2%}", INFO)
 RUN_FAILED = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
@@ -99,6 +99,9 @@ SEAMS_LACK = Message("{metres:.0f} m of seam are missing", INFO)
 SOURCES_ARE_MOSAIC = Message(
     "some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: "
     "{names}", INFO)
+SOURCES_HOLD_MOSAIC = Message(
+    "along {metres:.0f} m of seam the mosaic is mixed into the orthoimages ({names}), which hides what it lost there",
+    INFO)
 SOURCES_LACK = Message(
     "orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured",
     INFO)
@@ -180,7 +183,6 @@ WOULD_GIVE_ORIGINALS = Message(
     "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
-FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
 OF_MOSAICS = Message(
     "The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all "
     "belong to the delivery.", INFO)
@@ -212,9 +214,6 @@ LAYERS_EMPTY = Message(
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
     "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING)
-KEPT_IMPOSSIBLE = Message(
-    "kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not "
-    "measured.", WARNING)
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
@@ -230,7 +229,7 @@ SEAMS_ELSEWHERE_UNKNOWN = Message(
 SCAN_PARTLY = Message(
     "Only {share:.0%} of the mosaic of '{name}' were scanned, in its corridor; seams elsewhere are unknown.", INFO)
 SCANNED_APART = Message(
-    "{count} mosaics were scanned one by one: a seam along the border between two of them is not counted.", WARNING)
+    "{count} mosaics were scanned one by one: seams on their borders do not count, where they overlap twice.", WARNING)
 SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: "
     "make sure that the mosaic was made from them.", INFO)

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Optional
 
 import numpy as np
@@ -75,26 +76,38 @@ class Ruling:
         """The share, and between what it may lie with all that is not known."""
         figures, least_kept = self.figures, self.rules.least_kept
         likely_m = figures.failed_m + roughly_failed_m(self.pieces, least_kept)
-        within, blank_m, metres = self._within(), self._blank_m(), unmeasured_metres(self.pieces)
-        known_m = figures.measured_m - self._hidden_m() + metres[Unmeasured.ROUGH]
+        within, blank_m = self._within, self._blank_m
+        known_m = figures.measured_m - self._hidden_m + self._unmeasured[Unmeasured.ROUGH]
         low, high = max(likely_m - within, 0.0), min(likely_m + within, known_m) + blank_m
         value = figures.failed_m / figures.measured_m
         return value, min(low / (known_m + blank_m), value), max(high / (known_m + blank_m), value)
 
+    @cached_property
+    def _unmeasured(self) -> dict[Unmeasured, float]:
+        return unmeasured_metres(self.pieces)
+
+    @cached_property
     def _blank_m(self) -> float:
         """Metres that were not measured and may all have failed: those beside which orthoimages lack pixels, which the
         producer gives, and the rest where that is more than the rules leave to chance."""
-        metres, least = unmeasured_metres(self.pieces), self.rules.rule(MEASURED_SHARE)
+        least = self.rules.rule(MEASURED_SHARE)
         is_enough = least is None or least.passes(self.figures.measured_share)
-        return metres[Unmeasured.UNCOVERED] + self._hidden_m() + (0.0 if is_enough else metres[Unmeasured.OTHER])
+        others = 0.0 if is_enough else self._unmeasured[Unmeasured.OTHER]
+        return self._unmeasured[Unmeasured.UNCOVERED] + self._hidden_m + others
 
+    @cached_property
     def _hidden_m(self) -> float:
         """Metres of pieces that passed by a part beside which there are pixels."""
         return math.fsum(decided.uncovered_m for decided in self.pieces if decided.state is PieceState.PASSED)
 
+    @cached_property
+    def _known_within(self) -> float:
+        return known_within(self.pieces, self.rules.least_kept)
+
+    @property
     def _within(self) -> float:
         """Half the 95 % interval of the metres that failed, where something is known of them; m."""
-        return math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends())
+        return math.hypot(self._known_within, self._open_ends)
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
@@ -102,8 +115,9 @@ class Ruling:
         for decided in self.failures:
             failures.setdefault(decided.run, []).append(decided)
         sure = max((surely_failed_m(run, self.rules.least_kept) for run in failures.values()), default=0.0)
-        return longest, min(sure, longest), max(longest, self.figures.longest_unknown_m, self._hiding_m())
+        return longest, min(sure, longest), max(longest, self.figures.longest_unknown_m, self._hiding_m)
 
+    @cached_property
     def _hiding_m(self) -> float:
         """Length of the longest piece that passed, where it can hide a failure longer than one may be, else 0; m."""
         limit = self.rules.limit(LONGEST_FAILURE)
@@ -111,6 +125,7 @@ class Ruling:
         longest = max(passed, default=0.0)
         return longest if limit is not None and 0 < MOST_OF_RUN * limit < longest else 0.0
 
+    @cached_property
     def _open_ends(self) -> float:
         """What the ends of failures leave open, where that is much of what may fail; m."""
         within = ends_within(self.pieces)
@@ -127,13 +142,13 @@ class Ruling:
             return messages.SHARE_FAILED(value=shown, limit=limit) if rule.check == FAILED_SHARE else (
                 messages.RUN_FAILED(value=shown, limit=limit)
             )
-        if rule.check == FAILED_SHARE and self._blank_m() > self._within():
-            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=self._blank_m(), high=high)
+        if rule.check == FAILED_SHARE and self._blank_m > self._within:
+            return messages.SHARE_UNKNOWN(value=value, limit=limit, metres=self._blank_m, high=high)
         if rule.check == FAILED_SHARE:
             return messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high)
         if not rule.passes(value):
             return messages.RUN_OPEN(value=value, limit=limit, low=low, high=high)
-        return messages.RUN_IN_PIECE(value=value, limit=limit, metres=high) if high == self._hiding_m() else (
+        return messages.RUN_IN_PIECE(value=value, limit=limit, metres=high) if high == self._hiding_m else (
             messages.RUN_UNKNOWN(value=value, limit=limit, metres=high)
         )
 
@@ -148,13 +163,13 @@ class Ruling:
         longest = is_open.get(LONGEST_FAILURE)
         share = self.rules.rule(FAILED_SHARE) if FAILED_SHARE in is_open else None
         is_short = longest is not None and (longest.value or 0.0) <= longest.limit
-        if MEASURED_SHARE not in is_open and longest is not None and is_short and self._hiding_m():
+        if MEASURED_SHARE not in is_open and longest is not None and is_short and self._hiding_m:
             return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
-        is_blank = share is not None and self._blank_m() > self._within()
+        is_blank = share is not None and self._blank_m > self._within
         if is_blank or (figures.not_measured_m and (MEASURED_SHARE in is_open or not figures.measured_m or is_short)):
             return self._would_measure(has_sources, MEASURED_SHARE in is_open)
-        within = self._open_ends()
-        if share is not None and within > known_within(self.pieces, self.rules.least_kept):
+        within = self._open_ends
+        if share is not None and within > self._known_within:
             return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
         if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
             return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)
@@ -166,7 +181,7 @@ class Ruling:
     def _would_measure(self, has_sources: bool, is_little: bool) -> Message:
         """Orthoimages that have pixels; else a length of pieces that would measure as much as is wanted and hides no
         failure, else what remains. ``is_little``: whether less was measured than the rules ask for."""
-        least, lacking, blank_m = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m, self._blank_m()
+        least, lacking, blank_m = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m, self._blank_m
         run, failed, every_m = self.rules.rule(LONGEST_FAILURE), self.figures.failed_m, self.figures.judged_m
         may_fail = self.rules.limit(FAILED_SHARE) or 0.0
         wanted = max(least * every_m - self.figures.measured_m, blank_m - max(may_fail * every_m - failed, 0.0))

@@ -41,7 +41,6 @@ def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[st
     gone_sources, changed_sources = of_sources.lost()
     strange = dict.fromkeys(not_scanned)
     changed = [name for name in dict.fromkeys([*changed, *changed_sources]) if name not in strange]
-    count = len(of_mosaic.files) + len(of_sources.files) - len(gone) - len(gone_sources) - len(changed)
     others = [
         name for name, files in by_layer.items() if mosaics and not (strange or changed or gone)
         and not all(of_mosaic.is_given(*file) for file in files if not file[1].is_vrt)
@@ -50,7 +49,7 @@ def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[st
     for layer in (layer for layer in layers if layer.name in by_layer):
         by_mosaic.setdefault(frozenset(map(_known_by, by_layer[layer.name])), {})[layer.digest] = layer.name
     return FileDoubts(
-        tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count, tuple(others),
+        tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), tuple(others),
         tuple(name for scanned in by_mosaic.values() if len(scanned) > 1 for name in scanned.values()),
         0 if mosaics else len(by_mosaic),
         seam_cover(

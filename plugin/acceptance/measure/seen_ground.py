@@ -55,6 +55,8 @@ class SeenGround:
     hidden_at: tuple[str, ...]
     unexplained_at: tuple[str, ...]
     nodata_at: tuple[str, ...]
+    mixed_m: float  # metres of seam along which the mosaic was mixed into the orthoimages
+    mixed_at: tuple[str, ...]
 
     @classmethod
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
@@ -74,6 +76,7 @@ class SeenGround:
             sum(figures("unexplained_border")), max(figures("nodata_inside")), max(figures("unread")),
             min(figures("looked_at", 1.0)),
             places("unseen_at"), places("hidden_at"), places("unexplained_at"), places("nodata_at"),
+            sum(figures("mixed_metres")), places("mixed_at"),
         )  # fmt: skip
 
     @classmethod

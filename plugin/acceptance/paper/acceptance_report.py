@@ -20,6 +20,7 @@ from ...toolkit.pictures import encoded
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Unmeasured
+from ..measure.delivered_rows import united_settings
 from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
@@ -77,7 +78,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         advice=sentence(decision.sentences[1]) if is_undecided else "",
         failing=failing_sentence(decision),
         judged=_judged_bands(record.mosaics),
-        figures=_key_figures(decision),
         parts=parts,
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
@@ -128,33 +128,21 @@ def _judged_bands(mosaics: Sequence[Raster]) -> str:
     return words + (filled(tr("; not judged: {bands}"), bands=", ".join(others)) if others else "") + "."
 
 
-def _key_figures(decision: Decision) -> list[tuple[str, str]]:
-    whole, longest = decision.whole, decision.longest_failure_m
-    return [
-        (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
-            tr("of seam in the sample"))),
-        (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
-            filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
-        (metres(whole.failed_m), tr("of it failed")),
-        *([] if whole.failed_unclear_share is None else [
-            (share(whole.failed_unclear_share, 1), tr("of these may keep enough"))
-        ]),
-        (share(whole.failed_share), tr("of what was measured failed")),
-        *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
-    ]
-
-
 def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery; the
     files and radiometry last."""
-    count, faulty = len(decision.sheets), len(decision.delivery.findings)
-    failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
-        count=len(decision.runs), sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
+    count, faulty, whole = len(decision.sheets), len(decision.delivery.findings), decision.whole
+    words = tr("failed: {failed} of {length}; {share} of that may keep enough; failures: {count}, in sheets: {sheets} "
+               "of {all}") if whole.failed_m else tr("failed: {failed} of {length}")
+    failures = filled(words, failed=metres(whole.failed_m), length=metres(whole.total_m),
+        share=share(whole.failed_unclear_share, 1), count=len(decision.runs),
+        sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
     if alone := sum(outcome is AcceptanceOutcome.REJECTED for outcome in decision.sheet_outcomes):
         failures += filled(tr("; sheets rejected by themselves: {count}"), count=alone)
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
-    if decision.whole.not_measured_m:
-        yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
+    if whole.not_measured_m:
+        yield tr("seams that were not measured"), metres(whole.not_measured_m), _unmeasured(decision), False
+    if whole.not_measured_m or SeenGround.of_delivery(decision.delivery).mixed_m:
         yield _cover_part(decision)
     yield from _ground_parts(decision)
     name = tr("completeness and form of the files")
@@ -186,14 +174,20 @@ def _unmeasured(decision: Decision) -> str:
 
 
 def _cover_part(decision: Decision) -> tuple[str, str, str, bool]:
-    """Whether the orthoimages show both sides of the seams, as far as their files can be read."""
+    """Whether the orthoimages are given, show both sides of the seams and hold no mosaic, as far as that is known."""
     name = tr("orthoimages along the seams")
+    if (ground := SeenGround.of_delivery(decision.delivery)).mixed_m:
+        words = filled(tr("the mosaic is mixed into them along {metres} of seam, such as at {place}"),
+            metres=metres(ground.mixed_m), place="; ".join(ground.mixed_at))
+        return name, tr("With findings"), words, decision.accepted is not True
     if lacking := [decided for decided in decision.pieces if decided.uncovered_m]:
         worst = max(lacking, key=lambda decided: decided.uncovered_m)
         words = filled(tr("no pixels beside {metres} of seam, such as at {place}; to be given by the producer"),
             metres=metres(sum(decided.uncovered_m for decided in lacking)),
             place=", ".join(formatted(along, ".1f") for along in worst.piece.middle))
         return name, tr("With findings"), words, decision.accepted is not True
+    if names := united_settings(decision.delivery.layers).get("not_given"):
+        return name, tr("With findings"), filled(tr("not given: {names}"), names=names), decision.accepted is not True
     lacks = any(decided.cover is None and decided.unmeasured is Unmeasured.OTHER for decided in decision.pieces)
     return (name, tr("No findings"), "", False) if not lacks else (
         name, tr("Not checked"), tr("their files can't be read"), False)

@@ -224,7 +224,8 @@ SEAMS_WITHIN_ONE = Message(
 )
 SEAMS_PART_NOTHING = Message(
     "No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one "
-    "orthoimage; check the reference systems, and the field that names the orthoimages."
+    "orthoimage. Check the reference systems, the field that names the orthoimages, and that these are not cut from "
+    "the mosaic."
 )
 SEAM_FILE_NOT_READ = Message(
     "No seamlines can be read from {path}; check that it is a vector file, and the name of its layer."
@@ -368,6 +369,11 @@ COPY_AMONG_SOURCES = Message(
     "{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that "
     "this one was cut from. It would hide every loss and is left out of the sources.", WARNING
 )
+ALL_ARE_COPIES = Message(
+    "All {count} orthoimages show the mosaic's pixels on both sides of its seams: they are copies of it, or parts of "
+    "the only image that it was made of, and can't show what it lost. Give the orthoimages as they were rectified, "
+    "before the mosaic was made, or none, to scan along seamlines alone."
+)
 MAY_BE_COPY = Message(
     "{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; "
     "if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.", WARNING
@@ -379,6 +385,11 @@ MAY_BE_ALTERED_COPY = Message(
 MADE_OF_OTHERS = Message(
     "{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It "
     "hides losses, so remove it from the sources.", WARNING
+)
+MOSAIC_MIXED_IN = Message(
+    "Along {metres:.0f} m of seam, such as at {x:.1f}, {y:.1f}, up to {share:.0f} % of the mosaic are mixed into the "
+    "orthoimages ({names}), which hides what it lost there. Ask for the orthoimages as they were before the mosaic was "
+    "made.", WARNING
 )
 ONE_IMAGE_IN_PARTS = Message(
     "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "

@@ -105,7 +105,8 @@ def test_sheets_that_were_scanned_apart_are_told() -> None:
     def sentences(*mosaics: str) -> str:
         return " ".join(map(str, decided(*(said(**{MOSAIC_FILES: mosaic}) for mosaic in mosaics)).sentences))
 
-    assert "2 mosaics were scanned one by one" in sentences('[["a.tif", 1, 2, "3"]]', '[["b.tif", 1, 2, "3"]]')
+    words = "2 mosaics were scanned one by one: seams on their borders do not count, where they overlap twice"
+    assert words in sentences('[["a.tif", 1, 2, "3"]]', '[["b.tif", 1, 2, "3"]]')
     assert "one by one" not in sentences('[["a.tif", 1, 2, "3"]]', '[["a.tif", 1, 2, "3"]]')
 
 
@@ -134,3 +135,14 @@ def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
     ground = SeenGround.of_settings(united.settings)
     assert (ground.unread, ground.border_m) == (2, 25)
     assert (ground.unseen_m, ground.hidden_m, ground.unchanged_m, ground.unexplained) == (25, 25, 25, 2)
+
+
+def test_orthoimages_that_hold_the_mosaic_along_seams_are_not_accepted() -> None:
+    mixed = said(mixed_sources="a.tif, b.tif", mixed_metres="99.5", mixed_at="500036.8 4999944")
+    decision = decided(mixed, said())
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    words = "along 100 m of seam the mosaic is mixed into the orthoimages (a.tif, b.tif), which hides what it lost"
+    assert words in str(decision.sentences[0])
+    assert "complete orthoimages as rectified" in str(decision.sentences[1])
+    both = SeenGround.of_delivery(decided(mixed, mixed).delivery)
+    assert (both.mixed_m, both.mixed_at[0]) == (199.0, "500036.8, 4999944.0")

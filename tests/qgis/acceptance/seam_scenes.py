@@ -23,7 +23,7 @@ def straight(start: float, length: float, y: float = 0.0) -> QgsGeometry:
 
 def seams(
     kept: Sequence[float | None], length: float = 25.0, y: float = 0.0, start: float = 0.0, epsg: int = UTM33,
-    name: str = "seams", with_length: bool = True,
+    name: str = "seams", with_length: bool = True, reasons: Sequence[str] = (),
 ) -> QgsVectorLayer:
     """One seam along x, in pieces that kept so much."""
     lines = [straight(start + place * length, length, y) for place in range(len(kept))]
@@ -37,6 +37,7 @@ def seams(
         "kept_low": ("double", [None if value is None else value - 0.05 for value in kept]),
         "kept_high": ("double", [None if value is None else value + 0.05 for value in kept]),
         "verdict": ("string", ["not_comparable" if value is None else "preserved" for value in kept]),
+        **({"reason": ("string", list(reasons))} if reasons else {}),
     }
     made = layer("LineString", [line if epsg == UTM33 else moved(line, epsg) for line in lines], epsg, **fields)
     made.setName(name)

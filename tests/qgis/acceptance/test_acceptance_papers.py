@@ -123,6 +123,22 @@ def test_the_cover_tells_what_the_scan_saw_beside_the_seams(tmp_path: Path) -> N
     assert "0.4 %; most of it around 500001.0, 5400002.0 (3 x 4 m)" in page
 
 
+def test_orthoimages_that_hold_the_mosaic_or_were_not_given_are_findings_on_the_cover(tmp_path: Path) -> None:
+    """In agreement with the decision, also where it is a rejection."""
+    facts = {"wavelet": "coif3", "seams": "found", "unexplained": "0.0"}
+    mixed = {"mixed_sources": "a.tif, b.tif", "mixed_metres": "50.0", "mixed_at": "500010 5400020"}
+    for name, more, words in (
+        ("mixed", mixed, "the mosaic is mixed into them along 50.0 m of seam, such as at 500010.0, 5400020.0"),
+        ("missing", {"not_given": "c.tif"}, "not given: c.tif"),
+    ):
+        outcome = accept(sealed(seams([*KEPT, None]), **facts, **more), REPORT=str(tmp_path / f"{name}.html"))
+        page = (tmp_path / f"{name}.html").read_text(encoding="utf-8").replace("<wbr>", "").replace("\u00a0", " ")
+        assert outcome.results["DECISION"] == "rejected"
+        row = page[page.index("<td>orthoimages along the seams") :].partition("</tr>")[0]
+        assert "<b>With findings</b>" in row
+        assert words in row
+
+
 def test_a_run_that_is_stopped_leaves_no_layer_without_the_failures(tmp_path: Path, mosaic: str) -> None:
     log = Log()
     log.cancel()

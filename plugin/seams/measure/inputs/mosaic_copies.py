@@ -17,7 +17,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from ....imagery.clips import covered_share, read_clip
-from ....imagery.errors import Message, RasterError
+from ....imagery.errors import Message, RasterError, SettingsError
 from ....imagery.gdal_paths import vrt_parts
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
@@ -53,7 +53,7 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones.
 
     Those on a tenth of the mosaic or more are opened and compared with it in up to 72 places; others where one of
-    these is like it.
+    these is like it. Raises SettingsError where all are copies, or parts of the only image that it was made of.
     """
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
@@ -61,7 +61,10 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     doubtful: dict[int, Message] = {}
     if candidates := [n for n in on_mosaic if n not in copies]:
         comparison = _Comparison(mosaic, sources)
-        for n in filter(comparison.is_alike, candidates):
+        alike = [*filter(comparison.is_alike, candidates)]
+        if len(alike) == len(sources) and comparison.overlap(alike):
+            raise SettingsError(messages.ALL_ARE_COPIES(count=len(sources)))
+        for n in alike:
             is_whole, is_shown, name = comparison.is_whole(n), comparison.is_shown_by_others(n), sources[n].ref.name
             if is_whole and is_shown:
                 copies.append(n)
@@ -167,6 +170,11 @@ class _Comparison:
                 return False
             count += not np.isnan(lacking)
         return count >= FEWEST
+
+    def overlap(self, numbers: Collection[int]) -> bool:
+        """Whether two of some sources or more have pixels in enough places."""
+        known = np.array([[not np.isnan(lacking) for lacking in self._lacking(number)] for number in numbers])
+        return np.count_nonzero(known.sum(axis=0) > 1) >= FEWEST
 
     def is_whole(self, number: int) -> bool:
         """Whether a source has pixels wherever the mosaic has."""

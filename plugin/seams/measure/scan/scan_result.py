@@ -253,7 +253,8 @@ class ScanResult:
     ``unseen_at``, ``hidden_at``, ``unexplained_at``, ``nodata_at``: up to three places each, the largest first, as
     ``x y width height`` (map units, metres), joined by ``; ``; which share of the mosaic is ``unread``, and
     ``unread_at`` a place in it; which files were scanned, by ``mosaic_files`` and ``source_files``; sources that
-    ``may_be_copies`` of the mosaic, and those that seamlines name and were ``not_given``; the ``metres`` of all pieces.
+    ``may_be_copies`` of the mosaic, those that hold it along their seams (``mixed_sources``, ``mixed_metres``, a place
+    ``mixed_at``), and those that seamlines name and were ``not_given``; the ``metres`` of all pieces.
     Figures of 0 are left out, but for ``unexplained``, ``metres`` and the reference ``system``."""
     sources: tuple[str, ...] = ()
     """Names of the orthoimages, parts of one image as one, by the numbers of ``polygons``."""

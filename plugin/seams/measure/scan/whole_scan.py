@@ -16,10 +16,12 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import ogr
+from scipy.spatial import cKDTree
 
 from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamsElsewhereError
 from ....imagery.file_identity import known_states, states_text
+from ....imagery.lines import points_at, vertex_stations
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.rasters import Raster, RasterRef
@@ -28,7 +30,9 @@ from .. import messages
 from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, ScanSettings, place_of, squares_met
 from ..blocks.block_pixels import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
+from ..inputs.mixed_images import mixed_images
 from ..judgement.visibility import white_grey
+from ..profile.cell_table import CELL_PX
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, sided
@@ -99,16 +103,26 @@ class Gathering:
                 notes["not_given"] = ", ".join(names)
             if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
                 notes["may_be_copies"] = ", ".join(doubtful)
-            notes.update(ground.told)
+            sources = {name: source.ref for name, source in zip(request.source_names, request.sources)}
+            alike = messages.SAME_ALONG_THE_SEAM.template
+            detailed = [
+                part for part in judged if part.state in (PieceState.PASSED, PieceState.FAILED)
+                or (part.reason is not None and part.reason.template == alike)
+            ]
+            mixed, of_mixed = mixed_images(
+                request.mosaic, sources, [(part.left or "", part.right or "", part.piece) for part in detailed]
+            )
+            notes.update({**ground.told, **of_mixed})
             shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
             if shift is not None:
                 notes["mosaic_shift"] = "{:.2f} {:.2f}".format(*shift)
             if raster is not None:
-                sources = _listed(source.ref for source in request.sources)
-                how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+                files = _listed(source.ref for source in request.sources)
+                how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": files}
                 raster.close([request.source_names[number] for number in self._shown], how)
             worst = scan_result.worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
-            notices = [*lost, *too_many, *_notices(ground, shift), *notices, *scan_result.without_verdict(judged)]
+            notices = [*lost, *too_many, *_notices(ground, shift), *mixed, *notices]
+            notices += scan_result.without_verdict(judged)
             if polygons and not (pieces or request.given or too_many):
                 followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
                 notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
@@ -122,8 +136,10 @@ class Gathering:
         request = self._request
         measured, brightest = self._measured(pieces, workers)
         white = white_grey(request.mosaic, brightest)
-        judged = []
-        for figures in measured:
+        judged, doubtful = [], self._near_missing(measured)
+        for number, figures in enumerate(measured):
+            if number in doubtful:
+                figures = replace(figures, strip=replace(figures.strip, profile=None))
             sides = [self._name(side) for side in (figures.piece.left, figures.piece.right)]
             judged.append(scan_result.judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
         if not request.given:
@@ -131,7 +147,7 @@ class Gathering:
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
         alike = {
             number for number, figures in enumerate(measured)
-            if figures.is_unchanged and judged[number].state is PieceState.NOT_MEASURED
+            if number not in doubtful and figures.is_unchanged and judged[number].state is PieceState.NOT_MEASURED
         }
         named = {number for number in alike if pieces[number].left or pieces[number].right}
         counted = {number for number in named if request.counts(pieces[number])}
@@ -140,6 +156,22 @@ class Gathering:
         within = scan_result.metres([judged[number] for number in alike - named])
         seams = tuple(piece for number, piece in enumerate(judged) if number not in alike - named)
         return seams, notes, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
+
+    def _near_missing(self, measured: Sequence[PieceFigures]) -> set[int]:
+        """Numbers of pieces that reach the ground of an orthoimage that was not given: nobody knows what they kept."""
+        missing, grid = {*self._request.not_given}, self._request.mosaic.grid
+        pieces = [figures.piece for figures in measured]
+        ends = [piece.vertices[[0, -1]] for piece in pieces if missing & {piece.left, piece.right}]
+        if not ends:
+            return set()
+        nodes, near = cKDTree(grid.to_pixels(np.concatenate(ends))), set()
+        for number, piece in enumerate(pieces):
+            path = grid.to_pixels(piece.vertices)
+            along = vertex_stations(path)
+            places = points_at(path, along, np.linspace(0, along[-1], 2 + int(along[-1] / CELL_PX)))
+            if nodes.query(places, distance_upper_bound=2 * CELL_PX)[0].min() <= 2 * CELL_PX:
+                near.add(number)
+        return near
 
     def _name(self, side: Side) -> str | None:
         """Name of a source as its file has it, else as the seams do."""

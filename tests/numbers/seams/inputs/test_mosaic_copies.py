@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
@@ -307,3 +308,22 @@ def test_sources_are_not_compared_with_each_other(mosaic: Raster) -> None:
     far = [Source(RasterRef(f"/nowhere/{number}.tif"), (0.0, 0.0, 1.0, 1.0)) for number in range(2000)]
     assert leave_out_copies(mosaic, far) == (far, [])
     assert calls_of(lambda: leave_out_copies(mosaic, far)) < 100 * len(far)
+
+
+@pytest.mark.parametrize("sigma", [0.0, 0.4])
+def test_orthoimages_that_are_all_cut_from_the_mosaic_are_refused(
+    make_raster: MakeRaster, images: list[np.ndarray], sigma: float
+) -> None:
+    """Nothing is said where a true one is among them, which shows what they don't."""
+    mosaic = make_raster("mosaic.tif", images[2])
+    softened = ndimage.gaussian_filter(images[2], (0, sigma, sigma))
+    cut = [make_raster(f"part{left}.tif", softened, valid=inside(left)) for left in (0, 200)]
+    with pytest.raises(SettingsError, match=r"All 2 orthoimages show the mosaic's pixels .* as they were rectified"):
+        told(mosaic, cut)
+    assert len(told(mosaic, [*cut, make_raster("a.tif", images[0])])[0]) == 3
+
+
+def inside(left: int) -> np.ndarray:
+    """All but 200 px of the columns."""
+    columns = np.arange(SIDE)
+    return np.tile((columns >= left) & (columns < left + SIDE - 200), (SIDE, 1))

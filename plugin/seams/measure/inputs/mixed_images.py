@@ -1,0 +1,149 @@
+"""The mosaic in its orthoimages, mixed into them along seams: it would hide what was lost there.
+
+Two exposures a, b have detail of their own: where both are as sharp <a - b, a + b> is 0, however alike they are. An
+orthoimage into which a share t of the mosaic was mixed holds t of the other one beyond the seam, where the mosaic shows
+that, and lost detail by it: there <b - a, a + b> / <a - b, a - b> is t / (1 - t). On this side it is so with a and b
+changed, and within a feather, too. No honest orthoimage loses sharpness where a seam happens to lie.
+"""
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from functools import lru_cache
+
+import numpy as np
+from scipy import ndimage
+
+from ....imagery.clips import Clip, read_clip
+from ....imagery.errors import Message, RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.lines import vertex_stations
+from ....imagery.open_raster import OpenRaster
+from ....imagery.raster_pool import KEPT_OPEN
+from ....imagery.rasters import Raster, RasterRef
+from ....imagery.statistics import NORMAL_95
+from .. import messages
+from ..seamlines.seam_pieces import SeamPiece
+
+_BANDS_PX = ((6, 24), (24, 48))  # from a seam, where sharpness is compared: far off it changes as a lens makes it
+_CELL_PX, _STATION_PX = 8, 64  # of sums, and along the seam: what lies farther apart is other ground
+_LEAST_ENERGY = 100.0  # <a, a> + <b, b> of a cell: rounding alone makes 8 of whole numbers
+_FEWEST = 8  # cells on either side of a piece, and stations of two orthoimages
+LEAST_MIXED = 0.2
+"""t / (1 - t) at the lower end of its 95 % interval. Honest pairs have 0.15 at most (Brighton, PackO, a photograph with
+other noise; lossless, JPEG 60 to 90, resampled)."""
+_MORE_APART = 0.1  # than images that are nothing alike, by chance
+LEAST_APART, LEAST_OF_APART = 0.02, 0.2
+"""<a - b, a - b> of <a, a> + <b, b>, and of that on the other side or in the other band: honest pairs have 0.09 and
+0.58 or more."""
+
+
+def mixed_images(
+    mosaic: Raster, sources: Mapping[str, RasterRef], pieces: Iterable[tuple[str, str, SeamPiece]]
+) -> tuple[list[Message], dict[str, str]]:
+    """What is told of orthoimages that hold the mosaic along the seams between them, and what layers say of them:
+    ``mixed_sources``, ``mixed_metres`` of these seams, and a place on the longest piece, ``mixed_at``.
+
+    ``sources``: all orthoimages by their names; ``pieces``: with the names of those on their left and their right.
+    """
+    opened, reach = lru_cache(KEPT_OPEN)(OpenRaster), _BANDS_PX[-1][1]
+    by_pair: dict[tuple[str, str], list[tuple[SeamPiece, np.ndarray]]] = defaultdict(list)
+    for left, right, piece in pieces:
+        first, second = sorted((left, right))
+        line = mosaic.grid.to_pixels(piece.vertices)
+        start = np.floor(line.min(axis=0) - reach).astype(int)
+        size = np.ceil(line.max(axis=0) + reach).astype(int) - start
+        around = PixelWindow(*start.tolist(), *size.tolist())
+        if left != right and left in sources and right in sources:
+            with suppress(RasterError):  # the scan says so where it needs it
+                clips = [read_clip(opened(sources[name]), mosaic, around, partly=True) for name in (first, second)]
+                energies = _energies(clips, line - start)[:, :, :: 1 if left == first else -1]
+                by_pair[first, second].append((piece, energies))
+    shares = {
+        pair: _mixed(np.concatenate([energies for _, energies in measured], axis=1))
+        for pair, measured in by_pair.items()
+    }
+    if not (names := sorted({name for pair, share in shares.items() if share for name in pair})):
+        return [], {}
+    beside = [piece for pair, measured in by_pair.items() if shares[pair] for piece, _ in measured]
+    length, (x, y) = math.fsum(piece.length_m for piece in beside), max(beside, key=lambda piece: piece.length_m).middle
+    listed, share = ", ".join(names), max(shares.values())
+    notice = messages.MOSAIC_MIXED_IN(names=listed, metres=length, share=100 * share, x=x, y=y)
+    return [notice], {"mixed_sources": listed, "mixed_metres": f"{length:.1f}", "mixed_at": f"{x:.10g} {y:.10g}"}
+
+
+def _mixed(energies: np.ndarray) -> float:
+    """How much of the mosaic two orthoimages hold, by their ``_energies`` beside all pieces between them."""
+    share, differing = 0.0, []
+    for band in energies:
+        band = band[band[..., :2].all(axis=(1, 2))]
+        if len(band) < _FEWEST:
+            continue
+        (aa, bb, _), (other_aa, other_bb, _) = band.sum(axis=0)
+        gain = (aa * other_aa / (bb * other_bb)) ** 0.25  # both as sharp over both sides
+        aa, bb, ab = np.moveaxis(band, 2, 0) / np.array([gain, 1 / gain, 1])[:, np.newaxis, np.newaxis]
+        differing += ((aa + bb - 2 * ab).sum(axis=0) / (aa + bb).sum(axis=0)).tolist()
+        lost, apart = (aa - bb) @ [1, -1], (aa + bb - 2 * ab).sum(axis=1)
+        ratio = lost.sum() / max(apart.sum(), np.finfo(float).tiny)
+        within = NORMAL_95 * math.hypot(*(lost - ratio * apart)) / max(apart.sum(), np.finfo(float).tiny)
+        mixed = ratio / (1 + ratio)
+        most = 2 * (1 - mixed) ** 2 / (1 + (1 - mixed) ** 2 + mixed**2)  # it leaves of images that are nothing alike
+        if ratio - within > LEAST_MIXED and apart.sum() < (most + _MORE_APART) * (aa + bb).sum():
+            share = max(share, float(mixed))
+    if not share and differing and min(differing) < max(LEAST_APART, LEAST_OF_APART * max(differing)):
+        return 1.0
+    return share
+
+
+def _energies(clips: Sequence[Clip], line: np.ndarray) -> np.ndarray:
+    """(bands, stations, 2, 3): <a, a>, <b, b> and <a, b> of two clips' finest detail on the left and the right of a
+    line of columns and rows; all cells weigh alike, how much detail they have. 0 where too few have pixels of both."""
+    valid = _valid(clips[0]) & _valid(clips[1])
+    rows, columns = (size // _CELL_PX for size in valid.shape)
+    inside = valid[: rows * _CELL_PX, : columns * _CELL_PX].reshape(rows, _CELL_PX, columns, _CELL_PX).all(axis=(1, 3))
+    inside = ndimage.minimum_filter(inside, 3, mode="nearest")  # beside what has no pixels JPEG rings
+    down, across = np.nonzero(inside)
+    station, distance = _beside(_CELL_PX * (np.column_stack([across, down]) + 0.5), line)
+    a, b = (_detail(clip)[:, : rows * _CELL_PX // 2, : columns * _CELL_PX // 2] for clip in clips)
+    cells = 3, rows, _CELL_PX // 2, columns, _CELL_PX // 2
+    products = (x * y for x, y in ((a, a), (b, b), (a, b)))
+    energy = np.stack([product.reshape(cells).sum(axis=(0, 2, 4))[inside] for product in products], axis=1)
+    sums = np.zeros((len(_BANDS_PX), int(vertex_stations(line)[-1] / _STATION_PX) + 1, 2, 3))
+    for band, (near, far) in zip(sums, _BANDS_PX):
+        is_used = (near <= abs(distance)) & (abs(distance) < far) & (energy[:, :2].sum(axis=1) > _LEAST_ENERGY)
+        is_right, used = distance[is_used] < 0, energy[is_used]
+        if min(np.count_nonzero(is_right), np.count_nonzero(~is_right)) >= _FEWEST:
+            weight = 1 / (used[:, :2].sum(axis=1) + used[:, :2].mean() / 2 + np.finfo(float).tiny)
+            place = (station[is_used] / _STATION_PX).astype(int), is_right.astype(int)
+            np.add.at(band, place, used * weight[:, np.newaxis])
+    return sums
+
+
+def _valid(clip: Clip) -> np.ndarray:
+    return np.ones(clip.bands.shape[1:], bool) if clip.valid is None else clip.valid
+
+
+def _detail(clip: Clip) -> np.ndarray:
+    """The three finest details of a clip's grey values, by Haar's wavelet: those of a sharp edge stay in their cell."""
+    grey = clip.bands[: 3 if clip.raster.has_luminance else 1].mean(axis=0, dtype=np.float64)
+    rows, columns = (size // 2 * 2 for size in grey.shape)
+    top, bottom = grey[:rows:2, :columns], grey[1:rows:2, :columns]
+    low, high = top + bottom, top - bottom
+    return np.stack([low[:, ::2] - low[:, 1::2], high[:, ::2] + high[:, 1::2], high[:, ::2] - high[:, 1::2]]) / 2
+
+
+def _beside(points: np.ndarray, line: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Stations of points along a line, and their distances from it, below 0 on its right and nan beyond its ends; all
+    of columns and rows."""
+    along, step = vertex_stations(line), np.diff(line, axis=0)
+    away = points[:, np.newaxis] - line[:-1]
+    share = (away * step).sum(axis=2) / np.maximum((step**2).sum(axis=1), np.finfo(float).tiny)
+    off = np.hypot(*np.moveaxis(away - share.clip(0, 1)[..., np.newaxis] * step, 2, 0))
+    number = off.argmin(axis=1)
+    nearest = np.arange(len(points)), number
+    station = along[number] + share[nearest].clip(0, 1) * np.diff(along)[number]
+    is_right = step[number, 0] * away[nearest][:, 1] > step[number, 1] * away[nearest][:, 0]  # rows count downwards
+    is_beyond = (station <= 0) | (station >= along[-1])
+    return station, np.where(is_beyond, np.nan, np.where(is_right, -1, 1) * off[nearest])
