@@ -111,16 +111,16 @@ def imagery_of(ground: str) -> Imagery | None:
     found = next(grounds(Path(data) if data else None, ground.split()[-1]), None)
     if found is None:
         return None
-    return replace(found.imagery, placed=tuple(map(_smoothed, found.imagery.placed))) if "smooth" in ground else (
-        found.imagery
-    )
+    if "smooth" not in ground:
+        return found.imagery
+    return replace(found.imagery, placed=tuple(_smoothed(image, found.imagery.rows) for image in found.imagery.placed))
 
 
-def _smoothed(one: PlacedImage) -> PlacedImage:
-    """Without detail in its upper third, as a field or water has it; without a step below."""
+def _smoothed(one: PlacedImage, rows: int) -> PlacedImage:
+    """Without detail in the upper third of the ground, as a lake has it in all images; without a step below."""
     valid = one.valid
     weight = np.maximum(gaussian_filter(valid.astype(float), SMOOTH_PX), 1e-6)
-    fade = np.clip((np.arange(len(valid)) - len(valid) / 3) / 200 + 0.5, 0, 1)[:, np.newaxis]
+    fade = np.clip((one.row + np.arange(len(valid)) - rows / 3) / 200 + 0.5, 0, 1)[:, np.newaxis]
     bands = []
     for band in one.bands:
         even = gaussian_filter(np.where(valid, band, 0).astype(float), SMOOTH_PX) / weight

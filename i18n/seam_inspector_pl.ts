@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="214"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="212"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="207"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="205"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,12 +39,12 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="208"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="206"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="61"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="60"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="175"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="173"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -104,37 +104,37 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="181"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="179"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="187"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="185"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="188"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="186"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="195"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="193"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="276"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="201"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="199"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -149,7 +149,7 @@
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="81"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
@@ -159,7 +159,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
@@ -189,32 +189,22 @@
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
-        <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
-        <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
-        <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
-        <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="82"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="84"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
@@ -269,12 +259,12 @@
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="63"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; wybierz inne miejsce.</translation>
     </message>
@@ -344,21 +334,6 @@
         <translation>Okno nie ma obrysu; narysuj je od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="17"/>
-        <source>The window is not a polygon; draw it as a rectangle.</source>
-        <translation>Okno nie jest poligonem; narysuj je jako prostokąt.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="18"/>
-        <source>The window has several parts; split it into one window each.</source>
-        <translation>Okno składa się z kilku części; podziel je tak, aby każda część była osobnym oknem.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
-        <source>The outline of the window crosses itself; draw it again as a rectangle.</source>
-        <translation>Obrys okna przecina sam siebie; narysuj okno od nowa jako prostokąt.</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/messages.py" line="14"/>
         <source>The window layer is empty; draw windows or place them along the seamlines first.</source>
         <translation>Warstwa okien jest pusta; najpierw narysuj okna albo rozmieść je wzdłuż linii mozaikowania.</translation>
@@ -369,17 +344,17 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="205"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="200"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="179"/>
+        <location filename="../plugin/noise/charts.py" line="178"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="180"/>
+        <location filename="../plugin/noise/charts.py" line="179"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -394,12 +369,12 @@
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="324"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="321"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="320"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="309"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -409,97 +384,97 @@
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="35"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="36"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="37"/>
+        <location filename="../plugin/seams/words.py" line="38"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="39"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="41"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="87"/>
+        <location filename="../plugin/seams/words.py" line="92"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="87"/>
+        <location filename="../plugin/seams/words.py" line="92"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="41"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="39"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="147"/>
+        <location filename="../plugin/seams/window_summary.py" line="145"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="150"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="131"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="129"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -509,97 +484,97 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="198"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="203"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="184"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="212"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="207"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="210"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="233"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="350"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="349"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/layer_box.py" line="56"/>
+        <location filename="../plugin/toolkit/desk/widgets.py" line="352"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="81"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="87"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="105"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="139"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="131"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="140"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="136"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="149"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="141"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="138"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -619,42 +594,42 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="185"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="122"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="121"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="59"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -669,7 +644,7 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="100"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="134"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -729,92 +704,87 @@
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="264"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="272"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="271"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="273"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="119"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="120"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="103"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="104"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="107"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="108"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="136"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="138"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="37"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="103"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="104"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="136"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="138"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
-        <source>Why the mosaic could not be compared with a source.</source>
-        <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="264"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="263"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="277"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="276"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="351"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="350"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -839,7 +809,7 @@
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="323"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="320"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
@@ -864,7 +834,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="35"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -919,17 +889,17 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="91"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="145"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="145"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -939,27 +909,27 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="297"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="132"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="132"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="133"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="120"/>
+        <location filename="../plugin/photos/interiororientation.py" line="119"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
@@ -984,72 +954,72 @@
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
         <source>no image</source>
         <translation>brak obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="67"/>
         <source> cm</source>
         <translation> cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="185"/>
         <source>along</source>
         <translation>wzdłuż</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="185"/>
         <source>across</source>
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="178"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="292"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="289"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="355"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="352"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="355"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="359"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="356"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="96"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="94"/>
         <source>Bars</source>
         <translation>Paski</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="97"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="95"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="361"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="358"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
@@ -1069,7 +1039,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1104,32 +1074,32 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="218"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="215"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="106"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="78"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="230"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="227"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="231"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="228"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1139,22 +1109,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="230"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="235"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="232"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="236"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="234"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1264,117 +1234,117 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="50"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="49"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="62"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="61"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="64"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="63"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="70"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="75"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="77"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="82"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="91"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="90"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="91"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
         <source>Share of the full amplitude that the bars need for a group to be resolved.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="100"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="103"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="220"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="218"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="108"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="30"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="29"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="31"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="30"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="32"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="31"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
@@ -1384,7 +1354,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -1454,42 +1424,42 @@
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="33"/>
         <source>Photo</source>
         <translation>Zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="33"/>
         <source>Any raster that GDAL reads.</source>
         <translation>Dowolny raster, który odczytuje GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="35"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="34"/>
         <source>Operation</source>
         <translation>Operacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="36"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="35"/>
         <source>negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel (length of the gradient) are floating point.</source>
         <translation>negative, mean i gaussian zachowują typ danych; grey jest 8-bitowy; laplace (druga pochodna) i sobel (długość gradientu) są zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="39"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="38"/>
         <source>Size (px)</source>
         <translation>Wielkość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="40"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="39"/>
         <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; the others ignore it.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="41"/>
         <source>Enhanced photo</source>
         <translation>Poprawione zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="41"/>
         <source>A GeoTIFF.</source>
         <translation>Plik GeoTIFF.</translation>
     </message>
@@ -1519,7 +1489,7 @@
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="62"/>
+        <location filename="../plugin/photos/interiororientation.py" line="61"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
@@ -1639,7 +1609,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -1649,447 +1619,447 @@
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="122"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="123"/>
+        <location filename="../plugin/photos/interiororientation.py" line="122"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="63"/>
+        <location filename="../plugin/photos/interiororientation.py" line="62"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="67"/>
+        <location filename="../plugin/photos/interiororientation.py" line="66"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="72"/>
+        <location filename="../plugin/photos/interiororientation.py" line="71"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="73"/>
+        <location filename="../plugin/photos/interiororientation.py" line="72"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="77"/>
+        <location filename="../plugin/photos/interiororientation.py" line="76"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="82"/>
+        <location filename="../plugin/photos/interiororientation.py" line="81"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="83"/>
+        <location filename="../plugin/photos/interiororientation.py" line="82"/>
         <source>The shape to look for, in the size it has on the photo; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="84"/>
+        <location filename="../plugin/photos/interiororientation.py" line="83"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="85"/>
+        <location filename="../plugin/photos/interiororientation.py" line="84"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="85"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="85"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="87"/>
+        <location filename="../plugin/photos/interiororientation.py" line="86"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="88"/>
+        <location filename="../plugin/photos/interiororientation.py" line="87"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="91"/>
+        <location filename="../plugin/photos/interiororientation.py" line="90"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="92"/>
+        <location filename="../plugin/photos/interiororientation.py" line="91"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="95"/>
+        <location filename="../plugin/photos/interiororientation.py" line="94"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="96"/>
+        <location filename="../plugin/photos/interiororientation.py" line="95"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="97"/>
+        <location filename="../plugin/photos/interiororientation.py" line="96"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="98"/>
+        <location filename="../plugin/photos/interiororientation.py" line="97"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="101"/>
+        <location filename="../plugin/photos/interiororientation.py" line="100"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="102"/>
+        <location filename="../plugin/photos/interiororientation.py" line="101"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="104"/>
+        <location filename="../plugin/photos/interiororientation.py" line="103"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="109"/>
+        <location filename="../plugin/photos/interiororientation.py" line="108"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="109"/>
+        <location filename="../plugin/photos/interiororientation.py" line="108"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="110"/>
+        <location filename="../plugin/photos/interiororientation.py" line="109"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="111"/>
+        <location filename="../plugin/photos/interiororientation.py" line="110"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="111"/>
+        <location filename="../plugin/photos/interiororientation.py" line="110"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="112"/>
+        <location filename="../plugin/photos/interiororientation.py" line="111"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="119"/>
+        <location filename="../plugin/photos/interiororientation.py" line="118"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="164"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="149"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="68"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="52"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="114"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="98"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="115"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="100"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="77"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="61"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="306"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="87"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="82"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="66"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="107"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="108"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="92"/>
         <source>Where no point has a role, this share of them, evenly spread, checks the fit and is not used in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="111"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="112"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="118"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="73"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that the fit does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="372"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="366"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>For polynomials and quotients. Higher orders need many points and oscillate between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="114"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="114"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="115"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="116"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="116"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="172"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="169"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="172"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="169"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="179"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="176"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="44"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="43"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="54"/>
         <source>The images to be checked, each on its own.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="66"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
         <source>Lines, or polygons that are each filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="85"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="87"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="99"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="102"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="101"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="129"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="142"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="140"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="143"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="147"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="79"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="80"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="83"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
@@ -2099,77 +2069,77 @@
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="146"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
         <source>System of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="89"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="147"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="148"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="151"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="93"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="93"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="95"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="152"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="156"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="154"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="157"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="155"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="158"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="294"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="296"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2179,42 +2149,42 @@
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="55"/>
+        <location filename="../plugin/photos/comparemarks.py" line="54"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="63"/>
+        <location filename="../plugin/photos/comparemarks.py" line="62"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="64"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="73"/>
+        <location filename="../plugin/photos/comparemarks.py" line="72"/>
         <source>Pixel size of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="75"/>
+        <location filename="../plugin/photos/comparemarks.py" line="74"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="82"/>
+        <location filename="../plugin/photos/comparemarks.py" line="81"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="83"/>
+        <location filename="../plugin/photos/comparemarks.py" line="82"/>
         <source>The difference of each mark, the second measurement minus the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="138"/>
+        <location filename="../plugin/photos/comparemarks.py" line="137"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -2254,7 +2224,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2299,27 +2269,27 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="97"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2339,19 +2309,14 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="60"/>
-        <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
-        <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="13"/>
@@ -2374,22 +2339,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2399,17 +2364,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2464,142 +2429,127 @@
         <translation>Warstwa nie ma linii; narysuj po jednej w poprzek pasków każdej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
-        <source>The line has no geometry; draw it again across the bars of the group.</source>
-        <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek pasków grupy.</translation>
-    </message>
-    <message>
         <location filename="../plugin/resolution/measure/messages.py" line="14"/>
-        <source>The line has several parts; draw one line across the bars of the group.</source>
-        <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek pasków grupy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
-        <source>The line is not straight; draw it with two points across the bars of the group.</source>
-        <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="16"/>
         <source>The line leaves {name}; draw it on the image, across the bars of the group.</source>
         <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
         <source>The line crosses pixels of {name} without data; draw it where the image is.</source>
         <translation>Linia przecina piksele rastra {name} bez danych; narysuj ją tam, gdzie jest obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="19"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
         <translation>Linia ma długość {length:.1f} px, a {bars} {bars:pasek|paski|pasków} z przerwami {bars:wymaga|wymagają|wymaga} co najmniej {least} px; narysuj ją od tła po jednej stronie pasków do tła po drugiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="20"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
         <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek pasków tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="21"/>
         <source>The line has no whole number in its field &apos;group&apos;; fill in the group&apos;s number.</source>
         <translation>Linia nie ma liczby całkowitej w polu „group”; wpisz numer grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
         <source>The line&apos;s direction is &apos;{direction}&apos;; fill in &apos;along&apos; or &apos;across&apos;.</source>
         <translation>Kierunek linii to „{direction}”; wpisz „along” lub „across”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="28"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="26"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
         <translation>Grupę {group} (kierunek „{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="29"/>
         <source>No bars stand out on the line; draw it across the bars of one group.</source>
         <translation>Na linii nie widać pasków; narysuj ją w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="30"/>
         <source>The bars can&apos;t be told apart: {found} of {bars} stand out.</source>
         <translation>Pasków nie można rozróżnić: widać {found} z {bars}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="33"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
         <source>{found} bars stand out and a group has {bars}; draw the line across one group only.</source>
         <translation>Widać {found} {found:pasek|paski|pasków}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
         <source>The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.</source>
         <translation>Amplituda wynosi {share:.0%} pełnej, a kryterium {criterion:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
         <source>The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.</source>
         <translation>Amplituda {amplitude:.1f} DN nie przekracza trzykrotności szumu {noise:.1f} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="38"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
         <translation>Pasek i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="41"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
         <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="42"/>
         <source>The bars seem {spacing:.1f} px apart, but those of the group are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
         <source>A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.</source>
         <translation>Grubsza grupa {group} nie jest rozróżniona, więc ta to aliasing i nie jest liczona.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="48"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
         <translation>Paski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="52"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="50"/>
         <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the measured bars are used, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp pasków jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej GRD i wielkość piksela rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="55"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="53"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
         <translation>Paski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="56"/>
         <source>No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.</source>
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="90"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="76"/>
         <source>No row has a height and a distance to compute with; fill in &apos;height&apos; and &apos;grd&apos;.</source>
         <translation>Żaden wiersz nie ma wysokości i GRD do obliczeń; wypełnij „height” i „grd”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="79"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
         <source>Row {row} is left out: {why}</source>
         <translation>Wiersz {row} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
         <source>&apos;height&apos; or &apos;grd&apos; holds no number; fill in both.</source>
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="98"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
@@ -2844,7 +2794,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3029,7 +2979,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="92"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -3066,17 +3016,17 @@
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="73"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="81"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="78"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="86"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -3188,77 +3138,77 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layers.py" line="167"/>
+        <location filename="../plugin/resolution/line_layers.py" line="165"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="116"/>
+        <location filename="../plugin/seams/words.py" line="121"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="127"/>
+        <location filename="../plugin/seams/words.py" line="132"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="146"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="153"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="157"/>
+        <location filename="../plugin/seams/words.py" line="162"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="168"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="259"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="117"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="154"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="158"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="255"/>
+        <location filename="../plugin/seams/words.py" line="260"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3377,17 +3327,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="49"/>
+        <location filename="../plugin/noise/charts.py" line="48"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="123"/>
+        <location filename="../plugin/noise/charts.py" line="122"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="140"/>
+        <location filename="../plugin/noise/charts.py" line="139"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -3417,7 +3367,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="144"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3426,27 +3376,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="174"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="187"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="185"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="186"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="215"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="212"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3555,7 +3505,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="307"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -3585,32 +3535,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="58"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="65"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -3635,7 +3585,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="48"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -3739,87 +3689,87 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="35"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="197"/>
+        <location filename="../plugin/seams/window_summary.py" line="196"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="195"/>
+        <location filename="../plugin/seams/window_summary.py" line="194"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="119"/>
+        <location filename="../plugin/seams/words.py" line="124"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="130"/>
+        <location filename="../plugin/seams/words.py" line="135"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="144"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="151"/>
+        <location filename="../plugin/seams/words.py" line="156"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="160"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="171"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="118"/>
+        <location filename="../plugin/seams/words.py" line="123"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="129"/>
+        <location filename="../plugin/seams/words.py" line="134"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="150"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="159"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="239"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="236"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="238"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="235"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -3877,7 +3827,7 @@
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="104"/>
+        <location filename="../plugin/resolution/report.py" line="105"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
@@ -3948,7 +3898,7 @@
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4013,217 +3963,182 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="62"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="58"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="63"/>
-        <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
-        <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="198"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
-        <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
-        <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="238"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="108"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="109"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
-        <source>sharpness 1: {value:.2f}</source>
-        <translation>ostrość 1: {value:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="47"/>
-        <source>composite: {value:.2f}</source>
-        <translation>kompozycja: {value:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="48"/>
-        <source>ratio 1: {value:.2f}</source>
-        <translation>stosunek 1: {value:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
-        <source>kept 1: {value:.2f}</source>
-        <translation>zachowane 1: {value:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="61"/>
-        <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
-        <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="188"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="199"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="195"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="196"/>
+        <location filename="../plugin/seams/words.py" line="201"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="197"/>
+        <location filename="../plugin/seams/words.py" line="202"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="205"/>
+        <location filename="../plugin/seams/words.py" line="210"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="207"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="208"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="218"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="215"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="216"/>
+        <location filename="../plugin/seams/words.py" line="221"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="224"/>
+        <location filename="../plugin/seams/words.py" line="229"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="227"/>
+        <location filename="../plugin/seams/words.py" line="232"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="234"/>
+        <location filename="../plugin/seams/words.py" line="239"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="245"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="249"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4318,7 +4233,7 @@
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="50"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
@@ -4328,17 +4243,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="89"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="136"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="114"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4358,112 +4273,112 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="225"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="203"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="257"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="300"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="303"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="280"/>
+        <location filename="../plugin/seams/measure/messages.py" line="281"/>
         <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start it again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i zacznij ponownie z tym samym plikiem wyniku, aby kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/messages.py" line="285"/>
         <source>{path} can&apos;t be read any more ({error}); start it again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); zacznij ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/messages.py" line="303"/>
         <source>There is too little texture along this piece, a source ends beside it, or none explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą, ortoobraz źródłowy kończy się obok albo żaden go nie wyjaśnia; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="232"/>
+        <location filename="../plugin/seams/measure/messages.py" line="233"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="235"/>
+        <location filename="../plugin/seams/measure/messages.py" line="236"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="239"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="251"/>
+        <location filename="../plugin/seams/measure/messages.py" line="252"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="254"/>
+        <location filename="../plugin/seams/measure/messages.py" line="255"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="266"/>
+        <location filename="../plugin/seams/measure/messages.py" line="267"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="336"/>
+        <location filename="../plugin/seams/measure/messages.py" line="337"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="343"/>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -4473,12 +4388,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="347"/>
+        <location filename="../plugin/seams/measure/messages.py" line="348"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="356"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -4493,12 +4408,12 @@
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="289"/>
+        <location filename="../plugin/seams/measure/messages.py" line="290"/>
         <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <location filename="../plugin/seams/measure/messages.py" line="306"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -4583,7 +4498,7 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
@@ -4613,47 +4528,47 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="301"/>
+        <location filename="../plugin/seams/words.py" line="306"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="302"/>
+        <location filename="../plugin/seams/words.py" line="307"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="303"/>
+        <location filename="../plugin/seams/words.py" line="308"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="304"/>
+        <location filename="../plugin/seams/words.py" line="309"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="305"/>
+        <location filename="../plugin/seams/words.py" line="310"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="73"/>
         <source>found: {cause}</source>
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
@@ -4678,37 +4593,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4733,22 +4648,22 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="266"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="263"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="239"/>
+        <location filename="../plugin/seams/desk/judging.py" line="238"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="247"/>
+        <location filename="../plugin/seams/desk/judging.py" line="246"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="249"/>
+        <location filename="../plugin/seams/desk/judging.py" line="248"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -4768,32 +4683,32 @@
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="204"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="205"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="369"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="215"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="219"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="211"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="204"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="196"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="244"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="236"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -4818,14 +4733,9 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="166"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="168"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="294"/>
-        <source>No picture yet: inspect windows</source>
-        <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/desk_keys.py" line="74"/>
@@ -4833,12 +4743,12 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
@@ -4848,14 +4758,9 @@
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="138"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="143"/>
-        <source>The second operator&apos;s remark.</source>
-        <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/layer_styles.py" line="52"/>
@@ -4868,57 +4773,52 @@
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="126"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="126"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="127"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="65"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="133"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="131"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="142"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="140"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
-        <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
-        <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="262"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="261"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="262"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="261"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="233"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="233"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -4928,37 +4828,37 @@
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="358"/>
+        <location filename="../plugin/seams/measure/messages.py" line="359"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="359"/>
+        <location filename="../plugin/seams/measure/messages.py" line="360"/>
         <source>Does not overlap the mosaic.</source>
         <translation>Nie nachodzi na ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="360"/>
+        <location filename="../plugin/seams/measure/messages.py" line="361"/>
         <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
         <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="361"/>
+        <location filename="../plugin/seams/measure/messages.py" line="362"/>
         <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
         <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="363"/>
         <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
         <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="363"/>
+        <location filename="../plugin/seams/measure/messages.py" line="364"/>
         <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
         <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="364"/>
+        <location filename="../plugin/seams/measure/messages.py" line="365"/>
         <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
@@ -4987,10 +4887,6 @@
         <translation>istotna strata</translation>
     </message>
     <message>
-        <source>width of the band</source>
-        <translation>szerokość pasa</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Okno</translation>
     </message>
@@ -5000,7 +4896,7 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -5105,22 +5001,22 @@
         <translation>Krzywa rośnie, ale w tej teksturze może się kryć szum grubszy niż piksel (ziarno); zmierz gładszy teren.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="98"/>
+        <location filename="../plugin/noise/charts.py" line="97"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="99"/>
+        <location filename="../plugin/noise/charts.py" line="98"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="122"/>
+        <location filename="../plugin/noise/charts.py" line="121"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="123"/>
+        <location filename="../plugin/noise/charts.py" line="122"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -5255,87 +5151,87 @@
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="276"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="273"/>
         <source>Plan control points</source>
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="278"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="275"/>
         <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points show how accurate the image is.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="287"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="284"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="289"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="286"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="291"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="288"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="289"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
         <source>Share of the image, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="296"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="293"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="298"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="296"/>
         <source>For a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="300"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="304"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="301"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="304"/>
         <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="308"/>
         <source>For the nominal scanner and the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="312"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="312"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
@@ -5345,177 +5241,177 @@
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="313"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="314"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="314"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="124"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="318"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="315"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="319"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="316"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="320"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="317"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="124"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="109"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="125"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="126"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="111"/>
         <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="85"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="79"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
         <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="73"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="74"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="121"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="56"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="66"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="70"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -5525,112 +5421,112 @@
         <translation>średnia geometryczna</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="99"/>
+        <location filename="../plugin/resolution/report.py" line="100"/>
         <source>all of them</source>
         <translation>wszyscy razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="106"/>
+        <location filename="../plugin/resolution/report.py" line="107"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="107"/>
+        <location filename="../plugin/resolution/report.py" line="108"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>higher</source>
         <translation>wyższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>lower</source>
         <translation>niższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="112"/>
+        <location filename="../plugin/resolution/report.py" line="113"/>
         <source>the group&apos;s own bars against plain gaps</source>
         <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="112"/>
+        <location filename="../plugin/resolution/report.py" line="113"/>
         <source>that of the coarsest group</source>
         <translation>amplituda najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="114"/>
+        <location filename="../plugin/resolution/report.py" line="115"/>
         <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
         <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="116"/>
+        <location filename="../plugin/resolution/report.py" line="117"/>
         <source>bars in each group</source>
         <translation>paski w każdej grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="117"/>
+        <location filename="../plugin/resolution/report.py" line="118"/>
         <source>widths</source>
         <translation>szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="119"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>widths are of</source>
         <translation>szerokości dotyczą</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
         <source>one bar</source>
         <translation>jeden pasek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="119"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>a bar and a gap together</source>
         <translation>pasek i przerwa razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="120"/>
+        <location filename="../plugin/resolution/report.py" line="121"/>
         <source>criterion</source>
         <translation>kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="121"/>
+        <location filename="../plugin/resolution/report.py" line="122"/>
         <source>full amplitude</source>
         <translation>pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="69"/>
         <source>bar and gap</source>
         <translation>pasek i przerwa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="70"/>
         <source>of the group</source>
         <translation>danej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="70"/>
         <source>of the coarsest group</source>
         <translation>najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
         <source>Distance of the reference group: the width of what is chosen beside it.</source>
         <translation>GRD grupy odniesienia: szerokość tego, co wybrano obok.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="77"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
         <source>What a distance measures: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
         <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="81"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
         <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
         <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="98"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="96"/>
         <source>Full amplitude</source>
         <translation>Pełna amplituda</translation>
     </message>
@@ -5650,52 +5546,52 @@
         <translation>Wszystkie linie: {distances}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="26"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
         <source>Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.</source>
         <translation>Grupa {group} jest za daleko od grupy odniesienia {reference}, by mieć szerokość; popraw jeden z numerów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="60"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
         <source>Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at least, so the distance may be coarser than the sensor&apos;s best; haze and a low sun lower the contrast.</source>
         <translation>Paski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="63"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="61"/>
         <source>No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
         <translation>Żadne jednolite miejsce testu nie wyznacza pełnej amplitudy, więc grupy mogą wydawać się lepiej rozróżnione, niż są; narysuj też linie w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="69"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="67"/>
         <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
         <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje pasków, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="75"/>
         <source>The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.</source>
         <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="82"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
         <source>Height {height:g} m and distance {grd:g} cm give no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="85"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="83"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="86"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="93"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="91"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="94"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
@@ -5705,67 +5601,67 @@
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="53"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="52"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="65"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="64"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="72"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="71"/>
         <source>How far on either side of the line the profile is averaged; less where the bars are shorter.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="84"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
         <source>In centimetres on the ground; the next parameter says what it is the width of.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="86"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="85"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="87"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="86"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="98"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="97"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="33"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="32"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="34"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="33"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="35"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="34"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="40"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="39"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="41"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="40"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="42"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="41"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
@@ -5870,67 +5766,67 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="47"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="46"/>
         <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is listed with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="63"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="66"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="65"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="70"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="69"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="73"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
         <source>The lowest and highest value that pixels can have, such as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together show it: without it nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="77"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since a cast looks the same as the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="92"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="91"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="95"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="98"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
@@ -6020,17 +5916,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="114"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="116"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="115"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="120"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="119"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -6050,17 +5946,17 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="90"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="89"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
@@ -6155,47 +6051,26 @@
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
-        <source>of seam</source>
-        <translation>linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
-        <source>of seam in the sample</source>
-        <translation>linii w próbie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
-        <source>of it measured</source>
-        <translation>z tego zmierzono</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
-        <source>failed without a break</source>
-        <translation>niezgodne bez przerwy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="232"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="231"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="259"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="259"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -6350,57 +6225,57 @@
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest failure of the delivery can&apos;t be determined from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>the longest failure can&apos;t be determined from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
@@ -6410,72 +6285,72 @@
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="52"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="57"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="56"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="65"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
         <source>Rules that come with the plugin, instead of the limits above; leave those at their defaults.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those at their defaults. The documentation has an example.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="151"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="150"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="151"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="153"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="153"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
         <source>Share of the measured metres of seam.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="155"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="154"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="156"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="155"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
@@ -6485,47 +6360,47 @@
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="48"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="60"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; is how many there were.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="63"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="62"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="63"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="67"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="66"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
@@ -6540,32 +6415,32 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="109"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="111"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="113"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="121"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="123"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
         <source>Starts the random draw: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -6740,32 +6615,32 @@
         <translation>klin</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="59"/>
+        <location filename="../plugin/photos/interiororientation.py" line="58"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value even if the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="68"/>
+        <location filename="../plugin/photos/interiororientation.py" line="67"/>
         <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look different are measured by drawn ones. A template that looks the same when turned by 180 degrees is measured by its centre of symmetry, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="78"/>
+        <location filename="../plugin/photos/interiororientation.py" line="77"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that is off by more than a thousandth of the frame fails like a measured mark.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="113"/>
+        <location filename="../plugin/photos/interiororientation.py" line="112"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="113"/>
+        <location filename="../plugin/photos/interiororientation.py" line="112"/>
         <source>XML files (*.xml)</source>
         <translation>Pliki XML (*.xml)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="114"/>
+        <location filename="../plugin/photos/interiororientation.py" line="113"/>
         <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
@@ -6775,62 +6650,62 @@
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="59"/>
+        <location filename="../plugin/photos/comparemarks.py" line="58"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo named in their field &apos;photo&apos;, else in the file&apos;s name) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="63"/>
+        <location filename="../plugin/photos/comparemarks.py" line="62"/>
         <source>First measurement, a folder</source>
         <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="64"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>Second measurement, a folder</source>
         <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="68"/>
+        <location filename="../plugin/photos/comparemarks.py" line="67"/>
         <source>Largest mean distance (px)</source>
         <translation>Największa średnia odległość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="70"/>
+        <location filename="../plugin/photos/comparemarks.py" line="69"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most this; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="76"/>
+        <location filename="../plugin/photos/comparemarks.py" line="75"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="79"/>
+        <location filename="../plugin/photos/comparemarks.py" line="78"/>
         <source>Photos</source>
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="80"/>
+        <location filename="../plugin/photos/comparemarks.py" line="79"/>
         <source>Count, mean, maximum (px) and verdict of each photo.</source>
         <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="88"/>
+        <location filename="../plugin/photos/comparemarks.py" line="87"/>
         <source>Marks in both measurements</source>
         <translation>Znaczki w obu pomiarach</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="89"/>
+        <location filename="../plugin/photos/comparemarks.py" line="88"/>
         <source>1 where the mean distance is within the limit, else 0</source>
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="144"/>
+        <location filename="../plugin/photos/comparemarks.py" line="143"/>
         <source>The mean distance is within the limit of {limit:g} px.</source>
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="145"/>
+        <location filename="../plugin/photos/comparemarks.py" line="144"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
@@ -6873,7 +6748,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -7234,7 +7109,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/acceptance_rules.py" line="27"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -7264,12 +7139,12 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="66"/>
+        <location filename="../plugin/toolkit/messages.py" line="62"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -7279,37 +7154,37 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="24"/>
         <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="72"/>
+        <location filename="../plugin/photos/comparemarks.py" line="71"/>
         <source>Pixel size (µm)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="122"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>Root mean square of the residuals (µm)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="196"/>
+        <location filename="../plugin/photos/interiororientation.py" line="195"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.</source>
         <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="105"/>
+        <location filename="../plugin/photos/interiororientation.py" line="104"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in µm, correlation, status, reason and the photo&apos;s name.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>
@@ -7327,12 +7202,12 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="211"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="208"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -7504,12 +7379,12 @@
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="136"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -7578,32 +7453,32 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="209"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="212"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="190"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="187"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="188"/>
+        <location filename="../plugin/seams/words.py" line="193"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="166"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7647,72 +7522,72 @@
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="79"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
         <source>visibility at 2x (JND): {value:.1f}</source>
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="136"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="176"/>
+        <location filename="../plugin/seams/words.py" line="181"/>
         <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
+        <location filename="../plugin/seams/words.py" line="205"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="137"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="177"/>
+        <location filename="../plugin/seams/words.py" line="182"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="178"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="256"/>
+        <location filename="../plugin/seams/words.py" line="261"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="232"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="233"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="235"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -7722,12 +7597,12 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="112"/>
+        <location filename="../plugin/seams/window_summary.py" line="106"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
+        <location filename="../plugin/seams/window_summary.py" line="326"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7742,7 +7617,7 @@
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
@@ -7751,12 +7626,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="355"/>
+        <location filename="../plugin/seams/window_summary.py" line="321"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="354"/>
+        <location filename="../plugin/seams/window_summary.py" line="320"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -7766,7 +7641,7 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="230"/>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -7781,27 +7656,27 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="276"/>
+        <location filename="../plugin/seams/measure/messages.py" line="277"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="298"/>
+        <location filename="../plugin/seams/measure/messages.py" line="299"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="157"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="156"/>
         <source>Share of the seams on ground with detail. If less was measured, a delivery is not accepted.</source>
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="75"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="74"/>
         <source>accepted, rejected or undecided</source>
         <translation>przyjęto, odrzucono lub nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="77"/>
         <source>Accepted (1), rejected (0), or empty if undecided</source>
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
@@ -7906,104 +7781,94 @@
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
-        <source>of what was measured failed</source>
-        <translation>zmierzonych metrów niezgodne</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
-        <source>failures: {count}, in sheets: {sheets} of {all}</source>
-        <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="127"/>
@@ -8011,67 +7876,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="260"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="352"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="272"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="268"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8166,7 +8031,7 @@
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
@@ -8186,17 +8051,17 @@
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="257"/>
+        <location filename="../plugin/seams/measure/messages.py" line="258"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="261"/>
+        <location filename="../plugin/seams/measure/messages.py" line="262"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="309"/>
+        <location filename="../plugin/seams/measure/messages.py" line="310"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -8206,62 +8071,62 @@
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="114"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="318"/>
+        <location filename="../plugin/seams/window_summary.py" line="284"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="53"/>
+        <location filename="../plugin/seams/window_summary.py" line="56"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <location filename="../plugin/seams/window_summary.py" line="286"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="330"/>
+        <location filename="../plugin/seams/window_summary.py" line="296"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <location filename="../plugin/seams/window_summary.py" line="299"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="317"/>
+        <location filename="../plugin/seams/window_summary.py" line="283"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <location filename="../plugin/seams/window_summary.py" line="302"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="359"/>
+        <location filename="../plugin/seams/window_summary.py" line="325"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="42"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="226"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -8361,7 +8226,7 @@
         <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="58"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="57"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single delivery, an isolated lot, by its limiting quality (ISO 2859-2).</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
@@ -8376,22 +8241,17 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
-        <source>measured, of the {metres} on ground with detail</source>
-        <translation>zmierzono z {metres} w terenie z detalami</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="118"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="117"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at least three times the percentage that you want.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="117"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="116"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -8436,72 +8296,72 @@
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="53"/>
         <source>All seams as Scan a whole mosaic writes them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="71"/>
         <source>A virtual raster: the mosaic with the patches on top. It refers to both, so leave both there.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="56"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="60"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="63"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="67"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="79"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
@@ -8526,52 +8386,52 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="266"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="265"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="389"/>
+        <location filename="../plugin/seams/measure/messages.py" line="400"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="392"/>
+        <location filename="../plugin/seams/measure/messages.py" line="403"/>
         <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="396"/>
+        <location filename="../plugin/seams/measure/messages.py" line="407"/>
         <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="407"/>
+        <location filename="../plugin/seams/measure/messages.py" line="418"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="409"/>
+        <location filename="../plugin/seams/measure/messages.py" line="420"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="410"/>
+        <location filename="../plugin/seams/measure/messages.py" line="421"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="419"/>
+        <location filename="../plugin/seams/measure/messages.py" line="430"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="421"/>
+        <location filename="../plugin/seams/measure/messages.py" line="432"/>
         <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="422"/>
+        <location filename="../plugin/seams/measure/messages.py" line="433"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -8621,12 +8481,12 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -8649,37 +8509,37 @@
         <translation>{direction}, o grupę więcej lub mniej: {low} do {high} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="66"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
         <source>The groups show too little of the target&apos;s contrast, so the full amplitude is taken from the ground beside the bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.</source>
         <translation>Grupy zbyt mało mówią o kontraście testu, więc pełną amplitudę przyjęto z terenu obok pasków; narysuj linie także przez grubsze grupy albo upewnij się, że ten teren jest tak ciemny jak przerwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="71"/>
         <source>&apos;{word}&apos; is not a reference height; give metres, or a name and metres for each group, as &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>„{word}” nie jest wysokością odniesienia; podaj metry albo nazwę i metry dla każdej grupy, np. &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="75"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
         <source>There is a reference height for {name}, but no group of passes has that name; give one of: {known}.</source>
         <translation>Podano wysokość odniesienia dla {name}, ale żadna grupa przelotów tak się nie nazywa; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="36"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="35"/>
         <source>Finest distance that may be resolved along the flight (cm)</source>
         <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="37"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="36"/>
         <source>Coarsest distance that may be the finest one along the flight (cm)</source>
         <translation>Największa terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="38"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="37"/>
         <source>Finest distance that may be resolved across the flight (cm)</source>
         <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="39"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="38"/>
         <source>Coarsest distance that may be the finest one across the flight (cm)</source>
         <translation>Największa terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
@@ -8714,27 +8574,27 @@
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
         <source>For a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>The rectangle around the outline is measured where a window is not a rectangle along the mosaic&apos;s axes: {count}.</source>
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="313"/>
+        <location filename="../plugin/seams/measure/messages.py" line="314"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="58"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="57"/>
         <source>Alone or beside the rasters: the sheets that &apos;Check a delivery&apos; wrote, or a tile index as gdaltindex writes it. The files that their field &apos;location&apos; names are checked.</source>
         <translation>Same lub obok rastrów: arkusze zapisane przez „Sprawdź dostawę” albo indeks arkuszy zapisany przez gdaltindex. Sprawdzane są pliki, które wskazuje ich pole „location”.</translation>
     </message>
@@ -8744,12 +8604,12 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="339"/>
+        <location filename="../plugin/seams/measure/messages.py" line="340"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="351"/>
+        <location filename="../plugin/seams/measure/messages.py" line="352"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -8794,17 +8654,17 @@
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="57"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="56"/>
         <source>Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -8819,7 +8679,7 @@
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="61"/>
         <source>Rectangles in any reference system; each is checked separately on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
@@ -8829,7 +8689,7 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
         <source>Each seam before and after, in figures and in pictures at 2x.</source>
         <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
     </message>
@@ -8844,7 +8704,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="267"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="264"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -8854,7 +8714,7 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="384"/>
+        <location filename="../plugin/seams/measure/messages.py" line="395"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -8869,7 +8729,7 @@
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="243"/>
+        <location filename="../plugin/seams/measure/messages.py" line="244"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -8929,17 +8789,12 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="161"/>
-        <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
-        <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="169"/>
+        <location filename="../plugin/seams/words.py" line="174"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
         <source>quotients of order 2 at most, without the terms that the points do not support</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
@@ -8994,62 +8849,62 @@
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="61"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="219"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="221"/>
         <source>Orthorectify a block of photos</source>
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="234"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="236"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="237"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
         <source>System of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="240"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="241"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="244"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="244"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="285"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="282"/>
         <source>The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="297"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="294"/>
         <source>For each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="302"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
         <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
+        <location filename="../plugin/toolkit/messages.py" line="25"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is not a number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -9102,37 +8957,37 @@
         <translation>Zachowane to część najdrobniejszych detali przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="21"/>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="295"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="291"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="40"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="39"/>
         <source>below it a loss is called significant</source>
         <translation>poniżej niej strata uchodzi za istotną</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="41"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="40"/>
         <source>Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous</source>
         <translation>Beeldmateriaal (NL) dopuszcza 2 % odstępstw, jeśli nie są ciągłe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="42"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="41"/>
         <source>half a standard window of 100 m</source>
         <translation>połowa standardowego okna 100 m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="43"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="42"/>
         <source>nothing is accepted on a guess</source>
         <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="91"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="90"/>
         <source>the software&apos;s default ({parameter}): {origin}</source>
         <translation>wartość domyślna programu ({parameter}): {origin}</translation>
     </message>
@@ -9147,22 +9002,22 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="220"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="217"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="221"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="223"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are processed.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="229"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="231"/>
         <source>For a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="227"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="229"/>
         <source>Folder of an OpenDroneMap project, or of photos</source>
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
@@ -9176,12 +9031,12 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="148"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="147"/>
         <source>Radiometry: {word}.</source>
         <translation>Radiometria: {word}.</translation>
     </message>
@@ -9191,7 +9046,7 @@
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
         <source>Seam Inspector was updated or turned off while this ran; start it again.</source>
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
@@ -9201,12 +9056,12 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="412"/>
+        <location filename="../plugin/seams/measure/messages.py" line="423"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="413"/>
+        <location filename="../plugin/seams/measure/messages.py" line="424"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
@@ -9236,87 +9091,87 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="86"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="88"/>
+        <location filename="../plugin/seams/window_summary.py" line="83"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="90"/>
+        <location filename="../plugin/seams/window_summary.py" line="85"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/window_summary.py" line="88"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="277"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="243"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="302"/>
+        <location filename="../plugin/seams/window_summary.py" line="268"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="306"/>
+        <location filename="../plugin/seams/window_summary.py" line="272"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="123"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>blurred</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="124"/>
+        <location filename="../plugin/seams/words.py" line="129"/>
         <source>Leave out that filter.</source>
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="138"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="170"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="191"/>
+        <location filename="../plugin/seams/words.py" line="196"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="202"/>
+        <location filename="../plugin/seams/words.py" line="207"/>
         <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="220"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -9326,32 +9181,32 @@
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="399"/>
+        <location filename="../plugin/seams/measure/messages.py" line="410"/>
         <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="403"/>
+        <location filename="../plugin/seams/measure/messages.py" line="414"/>
         <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="294"/>
+        <location filename="../plugin/seams/window_summary.py" line="260"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="226"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="285"/>
+        <location filename="../plugin/seams/window_summary.py" line="251"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="291"/>
+        <location filename="../plugin/seams/window_summary.py" line="257"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9391,22 +9246,22 @@
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="235"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="236"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="237"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -9451,62 +9306,57 @@
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
-        <source>Files that are as they were scanned: {count}.</source>
-        <translation>Pliki takie, jak je skanowano: {count}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9521,7 +9371,7 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
@@ -9531,22 +9381,22 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="296"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="302"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="368"/>
+        <location filename="../plugin/seams/measure/messages.py" line="369"/>
         <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="372"/>
+        <location filename="../plugin/seams/measure/messages.py" line="378"/>
         <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="376"/>
+        <location filename="../plugin/seams/measure/messages.py" line="382"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -9566,12 +9416,12 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <location filename="../plugin/seams/measure/messages.py" line="327"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="331"/>
+        <location filename="../plugin/seams/measure/messages.py" line="332"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -9633,12 +9483,12 @@
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="250"/>
+        <location filename="../plugin/seams/words.py" line="255"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="102"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
@@ -9683,7 +9533,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -9708,7 +9558,7 @@
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="365"/>
+        <location filename="../plugin/seams/measure/messages.py" line="366"/>
         <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
@@ -9728,37 +9578,37 @@
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="337"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="337"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -9773,7 +9623,7 @@
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859, albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="45"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="44"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you choose.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
     </message>
@@ -9798,7 +9648,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="70"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -9830,22 +9680,22 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="251"/>
+        <location filename="../plugin/seams/desk/session.py" line="255"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="251"/>
+        <location filename="../plugin/seams/desk/session.py" line="255"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="448"/>
+        <location filename="../plugin/seams/desk/session.py" line="273"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="448"/>
+        <location filename="../plugin/seams/desk/session.py" line="273"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
@@ -9855,12 +9705,12 @@
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="97"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="96"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="140"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
@@ -9895,12 +9745,12 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
@@ -9915,12 +9765,12 @@
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="293"/>
+        <location filename="../plugin/seams/measure/messages.py" line="294"/>
         <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="76"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="75"/>
         <source>Its reasons, in words</source>
         <translation>Uzasadnienie słowami</translation>
     </message>
@@ -9930,7 +9780,7 @@
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
         <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -10045,32 +9895,27 @@
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="226"/>
-        <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
-        <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="241"/>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="82"/>
+        <location filename="../plugin/seams/words.py" line="87"/>
         <source>at least {width}</source>
         <translation>co najmniej {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="42"/>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
         <source>Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on the scheduler, the workers and here.</source>
         <translation>Pod adresem {address} odpowiada Dask {versions}, a tutaj jest Dask {own}; zainstaluj tę samą wersję dask i distributed dla schedulera, procesów roboczych i tutaj.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="45"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="59"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -10083,47 +9928,47 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="414"/>
+        <location filename="../plugin/seams/measure/messages.py" line="425"/>
         <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="416"/>
+        <location filename="../plugin/seams/measure/messages.py" line="427"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="417"/>
+        <location filename="../plugin/seams/measure/messages.py" line="428"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
         <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
@@ -10158,7 +10003,7 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="141"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="133"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
@@ -10173,7 +10018,7 @@
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="116"/>
+        <location filename="../plugin/seams/window_summary.py" line="110"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10183,7 +10028,7 @@
         <translation>Odcinek, który ma zachować 0, jest zawsze zgodny; podaj część, którą ma zachować, np. 0,7.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
@@ -10193,17 +10038,17 @@
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is {value:g}; give {least:g} or more.</source>
         <translation>„{parameter}” to {value:g}; podaj {least:g} lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number from {least:g} to {most:g}.</source>
         <translation>„{parameter}” to {value:g}; podaj liczbę od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;; give one of {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
@@ -10223,7 +10068,7 @@
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="132"/>
+        <location filename="../plugin/seams/words.py" line="137"/>
         <source>Feather less.</source>
         <translation>Wtapiaj węziej.</translation>
     </message>
@@ -10233,7 +10078,7 @@
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="233"/>
+        <location filename="../plugin/seams/measure/messages.py" line="234"/>
         <source>{path} names no reference system, so it is taken in the mosaic&apos;s.</source>
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
@@ -10248,7 +10093,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="317"/>
+        <location filename="../plugin/seams/measure/messages.py" line="318"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
@@ -10258,37 +10103,37 @@
         <translation>najwyżej {limit:.1f} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>The layer &apos;{name}&apos; can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
         <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10312,7 +10157,7 @@
         <translation>Niektórych położeń nie da się przeliczyć do innego układu współrzędnych; sprawdź układy warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address, the network, and GDAL&apos;s settings and credentials, or copy it to a local disk.</source>
         <translation>Nie można odczytać {name} przez sieć ({why}); sprawdź adres, sieć oraz ustawienia i dane logowania GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
@@ -10322,7 +10167,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -10367,27 +10212,22 @@
         <translation>podano pliki, które nie są tymi, które skanowano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
         <source>{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along {unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ</source>
         <translation>ocenia się {judged:.0f} m linii mozaikowania; wzdłuż {unchanged:.0f} m z nich po obu stronach leży ten sam ortoobraz, a wzdłuż {unseen:.0f} m, których się nie ocenia, skanowanie zobaczyło jego zmianę (najdłuższa w okolicy {place}); różnić się może {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
         <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them to the scan.</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj do skanowania ortoobrazy po ich bokach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
-        <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not measured.</source>
-        <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
@@ -10397,27 +10237,27 @@
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="41"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="40"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="283"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="276"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="55"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="51"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="120"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="121"/>
         <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="117"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="116"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
@@ -10437,12 +10277,7 @@
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="52"/>
-        <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
-        <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="380"/>
+        <location filename="../plugin/seams/measure/messages.py" line="386"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -10462,17 +10297,17 @@
         <translation>Odcinek próby nie leży na ortofotomapie; podaj tę, która obejmuje wszystkie arkusze, i sprawdź układy odniesienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>What would decide it: one scan of each mosaic, and of sheets that overlap as one mosaic.</source>
         <translation>Co by rozstrzygnęło: jeden skan każdej ortofotomapy, a arkuszy, które się nakładają, jako jednej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>{name} can&apos;t be read as a layer of lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; wybierz warstwę „Odcinki linii mozaikowania” ze skanu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="54"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="53"/>
         <source>What windows are placed on. With the same seed, windows and pieces are the same sample.</source>
         <translation>Na czym rozmieszczane są okna. Przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
@@ -10501,7 +10336,7 @@
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami, nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
@@ -10526,17 +10361,17 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; weź mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="77"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>The seamline layer holds no line and no polygon; give that of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; podaj warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="89"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
@@ -10576,12 +10411,12 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="135"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="113"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10591,32 +10426,27 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="247"/>
+        <location filename="../plugin/seams/measure/messages.py" line="248"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="38"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos;, or give no scheduler.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="40"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or give none.</source>
         <translation>Pod adresem {address} nie odpowiada scheduler Dask ({error}); sprawdź adres (zwykle z portem 8786) albo nie podawaj żadnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are spawned needs the line if __name__ == &apos;__main__&apos;: above its work.</source>
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie. Skrypt, którego procesy są uruchamiane od nowa (spawn), musi mieć nad swoimi poleceniami wiersz if __name__ == &apos;__main__&apos;:.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="50"/>
-        <source>The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.</source>
-        <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo nie podawaj schedulera.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL&apos;s python3-gdal), or give no scheduler.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam (osgeo to python3-gdal z GDAL) albo nie podawaj schedulera.</translation>
     </message>
@@ -10630,12 +10460,12 @@
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>What would decide it: an operator&apos;s look, by which whoever signs decides, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora, na którego podstawie rozstrzyga ten, kto podpisuje, bo wszystkie linie mozaikowania leżą na terenie bez szczegółów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
         <source>What would decide it: an operator&apos;s look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}); whoever signs decides by that.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora odcinków, których przedziały obejmują próg ({metres:.0f} m, odcinków: {count}); na tej podstawie rozstrzyga ten, kto podpisuje.</translation>
     </message>
@@ -10645,22 +10475,22 @@
         <translation>Nierozstrzygnięte są też: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured</source>
         <translation>skanowanie nie miało ortoobrazów, które wymieniają linie mozaikowania ({names}), więc linii obok nich nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.</source>
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
     </message>
@@ -10680,12 +10510,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10716,7 +10546,7 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All compared windows are judged; {rest}.</source>
         <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
     </message>
@@ -10731,17 +10561,17 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="227"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
         <source>None of {metres} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="229"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="207"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="291"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10755,7 +10585,7 @@
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.</source>
         <translation>{path} pozostaje bez zmian, bo obliczeń nie ukończono albo plik jest otwarty w innym programie; nowa warstwa to {part}.</translation>
     </message>
@@ -10775,52 +10605,47 @@
         <translation>nie udało się odczytać {share:.2%} ortofotomapy „{name}”, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
         <source>What would decide it: an operator&apos;s look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not measure enough; the field &apos;reason&apos; of the seams says why.</source>
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie decyduje podpisujący. Skanowanie tych ortoobrazów z odcinkami dość krótkimi, by wykazać usterkę, nie zmierzyłoby wystarczająco dużo; przyczyny podaje pole „reason” linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
         <source>What would decide it: a scan with the orthoimages that are missing.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
         <source>What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them have a wrong georeference.</source>
         <translation>Co by rozstrzygnęło: badanie ortofotomapy i ortoobrazów, które leżą w tym samym miejscu. Zapytaj wykonawcę, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
         <source>Only {share:.0%} of the mosaic of &apos;{name}&apos; were scanned, in its corridor; seams elsewhere are unknown.</source>
         <translation>W „{name}” obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
         <source>The scan of &apos;{name}&apos; measured along the seamlines that it was given; a seam that these lack is noticed only if it is longer than some 150 pixels.</source>
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="260"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="220"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
-        <source>of these may keep enough</source>
-        <translation>z nich może zachować dość</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="84"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="80"/>
         <source>Live: {columns} x {rows} px</source>
         <translation>Na żywo: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="168"/>
         <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
     </message>
@@ -10830,42 +10655,22 @@
         <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="449"/>
-        <source>how sure you are of window {number}</source>
-        <translation>pewność oceny okna {number}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="449"/>
-        <source>how sure you are of {count} windows</source>
-        <translation>pewność oceny okien: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="446"/>
-        <source>remark on window {number}</source>
-        <translation>uwaga do okna {number}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/session.py" line="446"/>
-        <source>remark on {count} windows</source>
-        <translation>uwaga do okien: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="124"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="123"/>
         <source>Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="321"/>
+        <location filename="../plugin/seams/measure/messages.py" line="322"/>
         <source>The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.</source>
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="92"/>
+        <location filename="../plugin/seams/window_summary.py" line="87"/>
         <source>images {value} px apart</source>
         <translation>obrazy przesunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/window_summary.py" line="88"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
     </message>
@@ -10935,22 +10740,22 @@
         <translation>NMT {name} ma oczka {mesh:.1f} m; najlepsze są od 10 do 30 m: w większych ginie rzeźba terenu, a mniejsze mogą na obrazie satelitarnym wyginać linie proste, na przykład drogi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="59"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture or orthority.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture lub orthority.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
         <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. Empty: in the file of the exterior orientation.</source>
         <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho lub ContextCapture. Puste: w pliku orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="53"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
@@ -10977,72 +10782,67 @@
         <translation>{share:.0%} ortofotomapy „{name}” nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}; najwięcej w pobliżu {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}</source>
         <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %</source>
         <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m (PIECE), with which some {share:.0%} of the metres would be measured.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami po {piece:.0f} m (PIECE), przy których udałoby się zmierzyć około {share:.0%} metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
         <source>What would decide it: a scan with orthoimages that have pixels on both sides of the seams. Those that were given lack them along {metres:.0f} m, such as at {x:.1f}, {y:.1f}; ask the producer for them.</source>
         <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, które mają piksele po obu stronach linii mozaikowania. Tym, które podano, brakuje ich wzdłuż {metres:.0f} m, na przykład w miejscu {x:.1f}, {y:.1f}; poproś o nie wykonawcę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>The layers of seams were measured with different settings: {setting} is {values}.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
         <source>Windows that operators inspected: {count}; with a cause: {causes}; judged visible: {visible}, invisible: {invisible}. They explain failures and do not change the decision.</source>
         <translation>Okna skontrolowane przez operatorów: {count}; z przyczyną: {causes}; uznane za widoczne: {visible}, za niewidoczne: {invisible}. Wyjaśniają usterki i nie zmieniają decyzji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
-        <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted.</source>
-        <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>The scan of &apos;{name}&apos; found the seams from the pixels, without seamlines, and wide feathers hide some of them.</source>
         <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, bez linii od wykonawcy, a szerokie wtapianie część z nich ukrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
         <source>what is kept is known too roughly</source>
         <translation>zachowanie znane zbyt zgrubnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>the orthoimages have no pixels beside the seam</source>
         <translation>ortoobrazy nie mają pikseli obok linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
         <source>orthoimages along the seams</source>
         <translation>ortoobrazy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>; sheets rejected by themselves: {count}</source>
         <translation>; arkusze odrzucone same w sobie: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
         <source>no pixels beside {metres} of seam, such as at {place}; to be given by the producer</source>
         <translation>brak pikseli obok {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
         <source>their files can&apos;t be read</source>
         <translation>nie można odczytać ich plików</translation>
     </message>
@@ -11065,7 +10865,7 @@
         <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy, nie został podany albo ortofotomapa mu tu nie odpowiada</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
         <source>Inspected windows: each gives its cause and remarks to the failures of which it shows a part.</source>
         <translation>Skontrolowane okna: każde przekazuje przyczynę i uwagi usterkom, których część pokazuje.</translation>
     </message>
@@ -11079,7 +10879,7 @@
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="174"/>
         <source>By the scan, this piece of seam: {finding}</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
@@ -11094,24 +10894,14 @@
         <translation>Najgorsze miejsca: {progress}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="211"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="214"/>
         <source>{width} x {height} m, {columns} x {rows} px, no source lies there</source>
         <translation>{width} × {height} m, {columns} × {rows} px, nie leży tam żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
-        <source>Windows at the worst places: {count}; there already: {there}.</source>
-        <translation>Okna w najgorszych miejscach: {count}; już były: {there}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>How sure the observer is.</source>
         <translation>Jak pewny jest obserwator.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
-        <source>How sure the second operator is.</source>
-        <translation>Jak pewny jest drugi operator.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="48"/>
@@ -11119,17 +10909,17 @@
         <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; już były: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="159"/>
+        <location filename="../plugin/seams/window_summary.py" line="157"/>
         <source>This follows from the mixture of the images; the ground around can&apos;t tell it.</source>
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa.</translation>
     </message>
@@ -11139,14 +10929,9 @@
         <translation>Linie mozaikowania bez okna, bo leżą w oknach dłuższych linii lub poza ortofotomapą albo są krótsze niż {shortest:.2f} m: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="272"/>
+        <location filename="../plugin/seams/measure/messages.py" line="273"/>
         <source>The scan starts from the beginning, as one of its files, a setting or the plugin&apos;s version changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmienił się któryś z plików, ustawienia lub wersja wtyczki.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
-        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with {metres:.0f} m that were not measured it may be up to {high:.2%}</source>
-        <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wraz z {metres:.0f} m, których nie zmierzono, może to być nawet {high:.2%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="97"/>
@@ -11154,14 +10939,9 @@
         <translation>Każdy odcinek linii mozaikowania na terenie ze szczegółami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured.</source>
         <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
-        <source>{judged} {count} {count:place has|places have} no window, as pixels are missing there.</source>
-        <translation>{judged} {count} {count:miejsce nie ma|miejsca nie mają|miejsc nie ma} okna, bo brakuje tam pikseli.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="13"/>
@@ -11179,7 +10959,7 @@
         <translation>Zatrzymano badanie: badanej ortofotomapy nie ma już w projekcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="299"/>
+        <location filename="../plugin/seams/desk/session.py" line="304"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
     </message>
@@ -11194,14 +10974,144 @@
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zmierz dłuższy odcinek linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="270"/>
+        <location filename="../plugin/seams/measure/messages.py" line="271"/>
         <source>The work continues where it stopped; parts that are done already: {done}.</source>
         <translation>Praca jest kontynuowana od miejsca, w którym ją przerwano; gotowe już części: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="287"/>
+        <location filename="../plugin/seams/measure/messages.py" line="288"/>
         <source>The work was stopped; started again with the same output it continues from here.</source>
         <translation>Pracę przerwano; ponowiona z tym samym plikiem wyniku ruszy dalej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
+        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown, such as {metres:.0f} m that were not measured, it may be up to {high:.2%}</source>
+        <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wraz z tym, czego nie wiadomo, na przykład z {metres:.0f} m, których nie zmierzono, może to być do {high:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <source>along {metres:.0f} m of seam the mosaic is mixed into the orthoimages ({names}), which hides what it lost there</source>
+        <translation>wzdłuż {metres:.0f} m linii mozaikowania ortofotomapa jest domieszana do ortoobrazów ({names}), co ukrywa to, co tam straciła</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <source>{count} mosaics were scanned one by one: seams on their borders do not count, where they overlap twice.</source>
+        <translation>Ortofotomapy skanowano osobno (liczba: {count}): linie mozaikowania wzdłuż ich granic się nie liczą, a tam, gdzie się pokrywają, liczą się dwa razy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <source>failed: {failed} of {length}; {share} of that may keep enough; failures: {count}, in sheets: {sheets} of {all}</source>
+        <translation>niezgodne: {failed} z {length}; {share} z tego może zachować dość; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <source>failed: {failed} of {length}</source>
+        <translation>niezgodne: {failed} z {length}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
+        <source>the mosaic is mixed into them along {metres} of seam, such as at {place}</source>
+        <translation>ortofotomapa jest do nich domieszana wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
+        <source>not given: {names}</source>
+        <translation>nie podano: {names}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <source>&apos;{wavelet}&apos; is not orthogonal, or no wavelet of PyWavelets; use one such as coif3, db4 or sym8.</source>
+        <translation>&apos;{wavelet}&apos; nie jest ortogonalna albo nie jest falką z PyWavelets; użyj takiej jak coif3, db4 lub sym8.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
+        <source>Not one straight line; draw it with two points across the bars of the group.</source>
+        <translation>To nie jest jedna linia prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="104"/>
+        <source>Window {number}; {count} more {count:source ends|sources end} in it</source>
+        <translation>Okno {number}; {count} {count:dalsze źródło kończy|dalsze źródła kończą|dalszych źródeł kończy} się w nim</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="216"/>
+        <source>{width} x {height} m, {columns} x {rows} px, nothing can be compared there</source>
+        <translation>{width} × {height} m, {columns} × {rows} px, nie da się tam nic porównać</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <source>Windows at the worst places: {count}, {sides} m wide; there already: {there}.</source>
+        <translation>Okna w najgorszych miejscach: {count}, szerokości {sides} m; już istniejące: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="226"/>
+        <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage. Check the reference systems, the field that names the orthoimages, and that these are not cut from the mosaic.</source>
+        <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu. Sprawdź układy współrzędnych, pole, które nazywa ortoobrazy, i czy nie wycięto ich z ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <source>All {count} orthoimages show the mosaic&apos;s pixels on both sides of its seams: they are copies of it, or parts of the only image that it was made of, and can&apos;t show what it lost. Give the orthoimages as they were rectified, before the mosaic was made, or none, to scan along seamlines alone.</source>
+        <translation>Wszystkie ortoobrazy ({count}) mają po obu stronach linii mozaikowania piksele ortofotomapy: są jej kopiami albo częściami jedynego obrazu, z którego ją wykonano, i nie pokażą, co straciła. Podaj ortoobrazy po ortorektyfikacji, sprzed wykonania ortofotomapy, albo żadnych, aby skanować wzdłuż samych linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="390"/>
+        <source>Along {metres:.0f} m of seam, such as at {x:.1f}, {y:.1f}, up to {share:.0f} % of the mosaic are mixed into the orthoimages ({names}), which hides what it lost there. Ask for the orthoimages as they were before the mosaic was made.</source>
+        <translation>Wzdłuż {metres:.0f} m linii mozaikowania, na przykład w miejscu {x:.1f}, {y:.1f}, do {share:.0f} % ortofotomapy domieszano do ortoobrazów ({names}), co ukrywa to, co tam straciła. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="60"/>
+        <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio}</source>
+        <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="200"/>
+        <source>kept along the seam (level 1: {low} to {high})</source>
+        <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low} do {high})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <source>Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.</source>
+        <translation>Mimo to jego krzywa leży osobno: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <source>composite: {value}</source>
+        <translation>kompozycja: {value}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="43"/>
+        <source>sharpness 1: {value}</source>
+        <translation>ostrość 1: {value}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="63"/>
+        <source>kept 1: {value}</source>
+        <translation>zachowane 1: {value}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="65"/>
+        <source>kept 1: {value} ({low} to {high})</source>
+        <translation>zachowane 1: {value} (od {low} do {high})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <source>ratio 1: {value}</source>
+        <translation>stosunek 1: {value}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="159"/>
+        <source>Other detail was added along the seam.</source>
+        <translation>Wzdłuż linii dodano inne szczegóły.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="17"/>
+        <source>The window is not a single polygon whose outline crosses nowhere; draw it as a rectangle.</source>
+        <translation>Okno nie jest pojedynczym poligonem, którego obrys nigdzie się nie przecina; narysuj je jako prostokąt.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <source>The Dask scheduler at {address} is gone, or has no workers that answer; start some, or give no scheduler.</source>
+        <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma procesów roboczych, które odpowiadają; uruchom je albo nie podawaj schedulera.</translation>
     </message>
 </context>
 </TS>

@@ -30,8 +30,8 @@ _AROUND_PX = 416, 272, 176  # sides of ground that tells which orthoimage is fol
 class ProvenAcceptMosaic(AcceptMosaic):
     """Shows the middle of the piece that kept least of each failure beside its orthoimages."""
 
-    def prepare(self, run: Run) -> None:
-        super().prepare(run)
+    def prepare_run(self, run: Run) -> None:
+        super().prepare_run(run)
         self._given = given_sources(run)
 
     def proof(

@@ -88,7 +88,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         from ..toolkit.layers import layer_address
         from .delivery_layers import seam_layers
 

@@ -84,7 +84,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
         if not run.path(FOLDER) and not run.parameters.get(SHEETS):
             raise SettingsError(messages.NO_DELIVERY())
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         from ..toolkit.layers import layer_path
 
         self.check(run)

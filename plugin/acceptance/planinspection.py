@@ -72,7 +72,7 @@ class PlanInspection(SeamInspectorAlgorithm):
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         from .delivery_layers import seam_layers
 
         self.check(run)

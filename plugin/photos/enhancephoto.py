@@ -45,7 +45,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
 
         Photo(run.required_raster(PHOTO))
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._photo = run.required_raster(PHOTO)
 
     def execute(self, run: Run) -> dict[str, Any]:

@@ -129,7 +129,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         check_calibration(self._calibration(run), self._settings(run).model)
         scanned_photo(run.required_raster(PHOTO))
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._photo_ref = run.required_raster(PHOTO)
         self._template_ref = run.raster(TEMPLATE)
 

@@ -106,10 +106,10 @@ class CheckRadiometry(RasterListAlgorithm):
             super().check(run)
         self._rules(run)
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         from ..toolkit.layers import layer_path
 
-        super().prepare(run)
+        super().prepare_run(run)
         index = run.vector_layer(SHEETS) if run.parameters.get(SHEETS) else None
         self._home = Path(layer_path(index) if index is not None else "").parent
 

@@ -112,7 +112,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
     def check(self, run: Run) -> None:
         self._band(run, run.north_up(RASTER))
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._raster = run.north_up(RASTER)
 
     def execute(self, run: Run) -> dict[str, Any]:

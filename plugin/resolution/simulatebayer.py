@@ -49,7 +49,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
         check_demosaic(run.word(DEMOSAIC))
         run.north_up(RASTER)
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._raster = run.north_up(RASTER)
 
     def execute(self, run: Run) -> dict[str, Any]:

@@ -118,7 +118,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             given[GCPS] = QgsVectorLayer("Point?crs=EPSG:4326", "points", "memory")
         return given
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._image_ref = run.raster(IMAGE)
         self._dem = run.raster(DEM)
         self._heights_wkt = ""  # of the points' layer, which may say what heights are in

@@ -110,7 +110,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         run.mosaic()
         check_sources(run)
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._mosaic = run.mosaic()
         self._given = given_sources(run)
 

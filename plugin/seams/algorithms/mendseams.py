@@ -87,7 +87,7 @@ class MendSeams(SeamInspectorAlgorithm):
         check_sources(run)
         run.mosaic()
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._mosaic = run.mosaic()
         self._given = given_sources(run)
 

@@ -54,7 +54,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
 
         window_side_px(run.mosaic().grid, self._settings(run))
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._mosaic = run.mosaic()
 
     def execute(self, run: Run) -> dict[str, Any]:

@@ -76,7 +76,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         self._settings(run).check()
         check_sources(run)
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:

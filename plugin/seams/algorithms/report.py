@@ -73,7 +73,7 @@ class Report(SeamInspectorAlgorithm):
         if run.parameters.get(common.MOSAIC):
             run.mosaic()
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
         self._given = given_sources(run)
 

@@ -105,7 +105,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         if not run.parameters.get(SEAMLINES) and not _names_sources(run):
             raise SettingsError(messages.NEITHER_SOURCES_NOR_SEAMS())
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         self._mosaic = run.mosaic()
         self._given = given_sources(run)
 

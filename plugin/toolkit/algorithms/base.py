@@ -50,7 +50,7 @@ class _Checked:
         try:
             with gdal_silenced():
                 self._refuse(parameters, context)  # models and scripts may not have checked the values
-                self.prepare(Run(self, parameters, context, feedback))
+                self.prepare_run(Run(self, parameters, context, feedback))
                 return bool(super().prepareAlgorithm(parameters, context, feedback))  # type: ignore[misc]
         except SeamInspectorError as error:
             raise _for_qgis(error) from None
@@ -68,7 +68,7 @@ class _Checked:
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
 
     def for_check(self: Any, parameters: dict[str, Any]) -> dict[str, Any]:

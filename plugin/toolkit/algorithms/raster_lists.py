@@ -100,7 +100,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         if not run.raster_values(RASTERS):
             raise SettingsError(messages.NO_RASTERS())
 
-    def prepare(self, run: Run) -> None:
+    def prepare_run(self, run: Run) -> None:
         given = {name: run.raster_refs(name) for name in self.RASTER_LISTS}
         self.refs = {name: refs for name, (refs, _) in given.items()}  # the rasters by parameter
         self.left_out = [why for _, left_out in given.values() for why in left_out]

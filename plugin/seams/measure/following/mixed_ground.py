@@ -20,7 +20,7 @@ BLOCK_PX = 64
 MIN_MIXED_WEIGHT = 0.1
 """Weight of the lesser image in three of four blocks, for ground to be mixed nearly everywhere."""
 MOST_LEFT_OF_CUT = 0.9
-"""Of what the cut leaves over: what codecs leave over of either image is left over by both."""
+"""Share of what the cut leaves over: what codecs leave over of either image is left over by both."""
 _ROUNDS = 10
 _SETTLED = 0.002  # of the lesser image's weight
 _MIN_BLOCK = 0.5  # of a block's pixels that take part

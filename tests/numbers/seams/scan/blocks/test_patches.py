@@ -73,7 +73,7 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
 
 
 def test_a_field_so_weak_that_rounding_tells_in_it_is_of_no_other_image(tmp_path: Path) -> None:
-    """Of its detail a tenth and more is left over, of all other ground a thousandth."""
+    """A tenth and more of its detail is left over, of all other ground a thousandth."""
     weak = np.full(SHAPE, 1, np.float32)
     weak[: 2 * SQUARE_PX, : 3 * SQUARE_PX] = 0.04
     given = [as_bytes(120 + weak * (plane.astype(np.float32) - 120)) for plane in images(detail_dn=20.0)]
