@@ -58,7 +58,7 @@ def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     box = bytes(QgsGeometry.fromRect(QgsRectangle(499000, 5499000, 503000, 5502000)).asWkb())
     given = replace(decision, delivery=replace(decision.delivery, outlines=(SheetOutline("far", box),)))
     plain, drawn = (picture(decision_map(item, ()) or b"") for item in (decision, given))
-    assert (np.abs(drawn - [213, 94, 0]).sum(axis=2) < 60).any()  # failures in their colour
+    assert (np.abs(drawn - [142, 1, 82]).sum(axis=2) < 60).any()  # failures in their colour
     assert drawn.shape[1] / drawn.shape[0] == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of the seams
     assert plain.shape[1] / plain.shape[0] == pytest.approx(1, rel=0.1)  # no higher than a page
 
