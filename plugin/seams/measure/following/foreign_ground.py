@@ -7,7 +7,8 @@ learned source by source as a function of how strong the detail is, from the bet
 correlation of what is explained has a scatter that is nearly even on Fisher's scale, z = artanh(rho) (Fisher 1921), so
 ground is foreign where squares are explained less than chance allows in a window: in squares of 216 px by chance alone,
 which tells images that resemble each other as well; in those of 56 and 104 px, where something may have moved, nearer
-to what another image of the same ground explains than to what is expected besides.
+to what another image of the same ground explains than to what is expected besides. Where nothing was compressed less is
+enough: 104 px for images that resemble each other, 24 px for others.
 """
 from __future__ import annotations
 
@@ -27,8 +28,8 @@ from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
 NOISE_CELL_PX = 8
 """Side of the cells that noise is learned in: as large as the blocks of JPEG, which makes it block by block."""
 
-_NARROW = 3  # the same: 24 px, for strips of noise where there is no codec's
 _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
+_NARROW = 3  # the same: 24 px, for strips of noise where nothing was compressed
 _CLEAN, _LARGE = 13, 27  # the same: 104 px where nothing was compressed, and 216 px, in which chance alone is asked
 _BORDERS, _UNTOLD = (3, 7, 13, 27), 0.1  # the same, by which borders are told; of a part, that need not be told by them
 _FALSE_ALARM = 0.01  # of a window, that chance finds a foreign part in it
@@ -179,13 +180,15 @@ class _NoiseCells:
         """What squares of any size find, (rows, columns) bool; parts of images that resemble the true one count where
         they reach far beyond strangers, whose borders are known better."""
         clean = not is_compressed(None)
-        strangers, resembling = ((_NARROW, *_WIDE), (_CLEAN, _LARGE)) if clean else (_WIDE, (_LARGE,))
-        sides = {side for side in (*strangers, *resembling) if side <= min(self.energy.shape)}
-        squares = {side: _Squares.of(self, side) for side in sides}
+        strangers, resembling = (
+            [side for side in sides if side <= min(self.energy.shape)]
+            for sides in (((_NARROW, *_WIDE), (_LARGE, _CLEAN)) if clean else (_WIDE, (_LARGE,)))
+        )
+        squares = {side: _Squares.of(self, side) for side in {*strangers, *resembling}}
         foreign = np.zeros_like(self.border)
-        for side in sides.intersection(strangers):
+        for side in strangers:
             foreign |= squares[side].foreign(is_compressed, is_window, False)
-        for side in sides.intersection(resembling):
+        for side in resembling:
             alike = squares[side].foreign(is_compressed, is_window, True)
             beyond = opened(alike & ~widened(foreign, side // 2), side // 4)  # more than their squares blur a border by
             foreign = foreign | ndimage.binary_propagation(beyond, mask=alike)

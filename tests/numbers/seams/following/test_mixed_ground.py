@@ -67,6 +67,18 @@ def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray],
         assert np.corrcoef(shown.ravel(), expected.ravel())[0, 1] > 0.98
 
 
+def test_images_are_mixed_beside_a_third_that_is_followed_alone(images: list[np.ndarray]) -> None:
+    """It is followed most, and has nothing to do with their mixture."""
+    third = (120 + 12 * texture((SIDE, SIDE), 1.2, 9)).astype(np.float32)
+    placed, weight = moved(images), ramp(0.75, 0.25)
+    mosaic = weight * placed[0] + (1 - weight) * placed[1]
+    mosaic[SIDE * 9 // 20 :] = third[SIDE * 9 // 20 :]
+    expected_mosaic = expected_of(mosaic, [*images, third])
+    for number, true in enumerate(placed):
+        shown, expected = (high_pass(plane)[: SIDE * 2 // 5] for plane in (expected_mosaic.shown[number], true))
+        assert np.square(shown).sum() == pytest.approx(np.square(expected).sum(), rel=0.2)
+
+
 @pytest.mark.parametrize("contrast", [1.0, 0.5])
 def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(contrast: float) -> None:
     """Labels of such a mosaic go round whatever has more detail, here the one and there the other: gains and energies
