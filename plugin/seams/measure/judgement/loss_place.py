@@ -55,9 +55,12 @@ class LossPlace:
         return [*blur, *named] if is_lost and not is_named else named
 
     def decisive(self, causes: Sequence[str]) -> list[str]:
-        """What took the detail that is told of, along the seam or in the whole, the strongest first."""
+        """What took the detail that is told of, along the seam or in the whole, the strongest first; nothing where
+        nothing is lost."""
+        if self.verdict not in ("significant", "reduced"):
+            return []
         at_seam = self.at_seam(causes)
         in_whole = [cause for cause in causes if cause in ALL_OVER and cause not in at_seam]
         if self.is_decisive:
             return at_seam or in_whole * self.is_whole_soft
-        return in_whole or (at_seam if self.verdict in ("significant", "reduced") else [])
+        return in_whole or at_seam

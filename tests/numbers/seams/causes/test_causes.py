@@ -21,6 +21,7 @@ from seam_inspector.plugin.seams.measure.judgement.causes import (
     causes_taken,
     find_causes,
 )
+from seam_inspector.plugin.seams.measure.judgement.loss_place import LossPlace
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure, SeamProfile
 
 SOUND_TEXTURE = Texture(
@@ -404,3 +405,9 @@ def test_the_limits_are_those_that_the_guide_tells(repository: Path, cause: Caus
     guide = (repository / "docs" / "method" / "causes.md").read_text(encoding="utf-8")
     limit, *_ = re.findall(rf"^\| `{cause.value}` \| ([^|]*) \|", guide, re.MULTILINE)
     assert [word for word in IN_GUIDE[cause] if word not in limit] == []
+
+
+def test_only_a_loss_puts_what_took_it_before_other_causes() -> None:
+    causes = ["missing source", "dodging"]
+    assert LossPlace("reduced", 1.0, 1.1, 0.8).decisive(causes) == ["dodging"]
+    assert not LossPlace("not_comparable", None, None, 0.8).decisive(causes)
