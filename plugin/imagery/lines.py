@@ -42,6 +42,12 @@ def points_at(path: np.ndarray, along: np.ndarray, wanted: np.ndarray) -> np.nda
     return np.column_stack([np.interp(wanted, along, axis) for axis in path.T])
 
 
+def points_along(path: np.ndarray, step: float) -> np.ndarray:
+    """Points of a path, (m, 2), from end to end and less than ``step`` apart."""
+    along = vertex_stations(path)
+    return points_at(path, along, np.linspace(0, along[-1], int(along[-1] / step) + 2))
+
+
 def stretches_inside(path: np.ndarray, along: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """(k, 2): stations between which a path, (n, 2), lies in a rectangle (Liang and Barsky). ``along``: stations of its
     vertices; ``low``, ``high``: the rectangle's corners, (2,)."""

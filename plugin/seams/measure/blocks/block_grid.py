@@ -12,7 +12,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import points_along
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages
 from ..limits import DENSITIES, MOST_LEVELS, SEAMS
@@ -210,9 +210,7 @@ def units_along(seams: Iterable[SidedSeam], blocks: BlockGrid, beside_px: int = 
     reach = np.unique([*np.arange(-beside_px, beside_px, UNIT_PX), beside_px])
     beside = np.stack(np.meshgrid(reach, reach), axis=-1).reshape(-1, 1, 2)
     for seam in seams:
-        path = grid.to_pixels(seam.vertices)
-        along = vertex_stations(path)
-        points = points_at(path, along, np.linspace(0, along[-1], int(along[-1] / _STEP_PX) + 2))
+        points = points_along(grid.to_pixels(seam.vertices), _STEP_PX)
         points = points[((points >= -beside_px) & (points <= size + beside_px)).all(axis=1)]
         units = np.floor((points + beside) / UNIT_PX).astype(np.int64).reshape(-1, 2)
         column, row = units[((units >= 0) & (units * UNIT_PX < size)).all(axis=1)].T

@@ -203,13 +203,16 @@ class _Cutting:
     def _mixed(self, cut: _Cut) -> _Cut:
         """The cut with the tones and filters of two sources that are mixed nearly everywhere, if they are."""
         labels, in_tone, filters = cut.labels, cut.in_tone, cut.filters
+        if len(in_tone) < 2:
+            return cut
         mosaic, *fine = self.sources.fine
         images = {i: source.gain * fine[i] for i, source in in_tone.items()}
         shown = cut_of(mosaic, {i: filters.applied(i, image) for i, image in images.items()}, labels)
         energy, rest = np.square(mosaic), np.square(mosaic - shown)
+        parts = {i: labels == i for i in in_tone}
         counts = {
-            i: int(np.count_nonzero(labels == i)) for i in in_tone
-            if rest[labels == i].sum() > MIN_LEFT_MIXED * energy[labels == i].sum()
+            i: int(np.count_nonzero(part)) for i, part in parts.items()
+            if rest[part].sum() > MIN_LEFT_MIXED * energy[part].sum()
         }
         pair = sorted(counts, key=lambda i: -counts[i])[:2]
         if len(pair) < 2 or sum(counts[i] for i in pair) < MIN_MIXED_SHARE * labels.size:
@@ -222,7 +225,7 @@ class _Cutting:
             return cut
         gain, taps = mixed
         means = square_means(self.sources.mosaic.plane)
-        toned = {i: levelled_by(means, self.sources.planes[i], labels == i, gain * in_tone[i].gain) for i in pair}
+        toned = {i: levelled_by(means, self.sources.planes[i], parts[i], gain * in_tone[i].gain) for i in pair}
         by_source = {i: filters.taps.get(i, UNTOUCHED) for i in in_tone}
         return _Cut(labels, {**in_tone, **toned}, Filters({**by_source, **dict(zip(pair, taps))}, False))
 

@@ -12,7 +12,7 @@ from ....imagery.clips import Clip
 from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.limits import check_settings
-from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
+from ....imagery.lines import as_xy, burnt, points_along, straightened
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import judged_plane
@@ -188,8 +188,7 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
     corner = np.array([read.window.column, read.window.row])
     nearest = _beside(request.index, read.window)
     allowed = _belongs(nearest, request.run) & (nearest.distance_px <= request.reach_px)
-    along = vertex_stations(line)
-    points = points_at(line, along, np.linspace(0, along[-1], int(along[-1]) + 2))
+    points = points_along(line, 1.0)
     column, row = ((points - corner) // CELL_PX).astype(int).T
     # Where a seam runs out at the rim of an image it stays as it is.
     held = np.flatnonzero(np.isfinite(cost)[row, column])

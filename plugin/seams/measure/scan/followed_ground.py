@@ -18,7 +18,7 @@ from scipy import ndimage
 
 from ....imagery.errors import RasterError
 from ....imagery.grids import standard_window
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import points_along
 from ....imagery.shifts import find_shift
 from ..blocks.block_grid import UNIT_PX, BlockGrid
 from ..blocks.block_pixels import BlockPixels
@@ -84,8 +84,7 @@ class FollowedGround:
         """Units that lines run through, bool; columns and rows of their vertices in pixels."""
         marked = np.zeros((self._rows, self._columns), bool)
         for path in paths:
-            along = vertex_stations(path)
-            points = points_at(path, along, np.linspace(0, along[-1], int(along[-1] / _ON_SEAM_PX) + 2))
+            points = points_along(path, _ON_SEAM_PX)
             for aside in (0, -_ON_SEAM_PX, _ON_SEAM_PX):
                 column, row = ((points + aside) // UNIT_PX).astype(int).T
                 marked[row.clip(0, self._rows - 1), column.clip(0, self._columns - 1)] = True

@@ -21,7 +21,7 @@ from scipy.spatial import cKDTree
 from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamsElsewhereError
 from ....imagery.file_identity import known_states, states_text
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import points_along
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.rasters import Raster, RasterRef
@@ -166,9 +166,7 @@ class Gathering:
             return set()
         nodes, near = cKDTree(grid.to_pixels(np.concatenate(ends))), set()
         for number, piece in enumerate(pieces):
-            path = grid.to_pixels(piece.vertices)
-            along = vertex_stations(path)
-            places = points_at(path, along, np.linspace(0, along[-1], 2 + int(along[-1] / CELL_PX)))
+            places = points_along(grid.to_pixels(piece.vertices), CELL_PX)
             if nodes.query(places, distance_upper_bound=2 * CELL_PX)[0].min() <= 2 * CELL_PX:
                 near.add(number)
         return near
