@@ -16,7 +16,7 @@ from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN
 from .boxes import narrowed
 from .followed_source import HIGH_PASS_PX, FollowedSource, follow_planes, high_pass
-from .source_filters import REACH_PX, UNFILTERED, Filters, filtered, fit_filter
+from .source_filters import REACH_PX, UNFILTERED, Filters
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
@@ -102,7 +102,7 @@ def _fine_details(mosaic: ComparedImage, planes: Sequence[np.ndarray]) -> tuple[
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
     """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
-    first = _clearer_in_window(follow_given(image, images))
+    first = follow_given(image, images)
     plain = first.following
     unexplained, unclear = float(plain.unexplained.mean()), plain.unclear_share
     # Where another source fits well, one that lies elsewhere is hardly followed.
@@ -137,21 +137,6 @@ def _with_moved(given: PlacedSources, moved: Mapping[int, Shift]) -> PlacedSourc
         given, following=follow_planes(fine), planes=(*given.planes, *placed), fine=fine,
         source_of=(*given.source_of, *moved), moves=dict(enumerate(moved.values(), len(given.planes))),
     )
-
-
-def _clearer_in_window(given: PlacedSources) -> PlacedSources:
-    """Images of one scene that lie on other pixels than the mosaic are more like each other than like it: a filter is
-    learned of the whole window, of which a part follows its source."""
-    if given.following.unclear_share < MIN_UNCLEAR_SHARE or len(given.images) < 2:
-        return given
-    everywhere = np.ones(given.fine[0].shape, bool)
-    (mosaic, *fine), through = given.fine, []
-    for number, plane in enumerate(fine):
-        taps = fit_filter(mosaic, plane, given.valid.get(number, everywhere))
-        through.append(plane if taps is None else filtered(plane, taps))
-    plain, clearer = given.following, follow_planes([mosaic, *through])
-    is_clearer = clearer.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share and clearer.fit >= plain.fit
-    return replace(given, following=clearer) if is_clearer else given
 
 
 def _is_of_all(shifts: Sequence[Shift | None]) -> bool:

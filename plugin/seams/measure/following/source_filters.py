@@ -80,9 +80,7 @@ def filtered(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
 MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
 MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
 MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
-MAX_LEFT_CLEAR = 0.1  # of the fine detail: JPEG 90 leaves over .03 to .11, JPEG 75 .13 and more
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
-MOST_LEFT_OF_BEST = 0.5  # of what is left over of the ground that is explained best, by a filter that is learned there
 
 _FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
@@ -179,28 +177,8 @@ def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) ->
     if _is_a_multiple(mosaic[SAMPLE], source[SAMPLE], sample.astype(np.uint8), sample, MAX_LEFT_UNFILTERED):
         return source
     taps = fit_filter(mosaic, source, where)
-    if taps is None:
-        return source
-    made = filtered(source, taps)
-    shown = made if _explains_more(mosaic, source, made, where) else source
-    return _of_best_ground(mosaic, source, shown, where)
-
-
-def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
-    """``shown``, the source through the filter of all its ground; through that of the half that is explained best where
-    that tells that the rest is of another image: it explains this half far better (least trimmed squares, Rousseeuw
-    1984)."""
-    best = _best_explained(mosaic, source, where)
-    for _ in range(_ROUNDS):
-        taps = fit_filter(mosaic, source, best)
-        if taps is None:
-            break
-        made = filtered(source, taps)
-        observed, before, after = _chosen(best[SAMPLE], *(plane[SAMPLE] for plane in (mosaic, shown, made)))
-        if np.square(observed - after).sum() > MOST_LEFT_OF_BEST * np.square(observed - before).sum():
-            break
-        shown, best = made, _best_explained(mosaic, made, where)
-    return shown
+    made = source if taps is None else filtered(source, taps)
+    return made if _explains_more(mosaic, source, made, where) else source
 
 
 def best_filter(
@@ -264,7 +242,7 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
     numbers = present(labels)
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
-        fitted = {i: _single_filter(fine, reference, common, part) for i, part in parts.items()}
+        fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
         single = {i: kernel for i, kernel in fitted.items() if kernel is not None}
         if any(
             _explains_more(fine, common, filtered(reference, kernel), parts[i], MIN_SINGLE_GAIN)
@@ -272,24 +250,6 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
         ):
             return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
-
-
-def _single_filter(
-    fine: np.ndarray, reference: np.ndarray, common: np.ndarray, part: np.ndarray
-) -> np.ndarray | None:
-    """Taps (5, 5) of a source by its part; where noise hides that some of it holds a seam, or is of another image, by
-    the half that ``common`` explains best, and if it explains more of the part than that. None where it doesn't, or too
-    few pixels count."""
-    taps = fit_filter(fine, reference, part, gain=1.0)
-    if taps is None:
-        return None
-    observed, made = _chosen(part[SAMPLE], fine[SAMPLE], filtered(reference, taps)[SAMPLE])
-    if np.square(observed - made).sum() <= MAX_LEFT_CLEAR * np.square(observed).sum():
-        return taps
-    taps = fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0)
-    if taps is None or not _explains_more(fine, common, filtered(reference, taps), part):
-        return None
-    return taps
 
 
 def _is_a_multiple(
