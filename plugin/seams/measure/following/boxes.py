@@ -43,38 +43,14 @@ def _summed(part: np.ndarray, side: int) -> np.ndarray:
 
 def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) -> list[np.ndarray]:
     """Means over squares of odd sides around samples (rows, columns), float32; edges go on as they are or mirrored."""
-    reach = max(sides) // 2
-    padded = _padded(values.astype(np.float32, copy=False), reach, mirrored)
-    means = []
-    for side in sides:
-        cut = reach - side // 2
-        inner = padded[cut : len(padded) - cut, cut : padded.shape[1] - cut]
-        sums = runs(runs(inner, side, 0, np.add), side, 1, np.add)
-        means.append(sums * np.float32(1 / side**2))
-    return means
+    samples, mode = values.astype(np.float32, copy=False), "reflect" if mirrored else "nearest"
+    return [ndimage.uniform_filter(samples, side, mode=mode) for side in sides]
 
 
 def box_counts(mask: np.ndarray, side: int) -> np.ndarray:
     """How many are set in squares of an odd side, up to 15, around every sample, (rows, columns) uint8; the edges
     continue as they are."""
-    return runs(runs(_padded(mask.view(np.uint8), side // 2, False), side, 0, np.add), side, 1, np.add)
-
-
-def _padded(values: np.ndarray, reach: int, mirrored: bool) -> np.ndarray:
-    """Values padded as by numpy's ``pad``, in a fifth of the time for small arrays."""
-    rows, columns = values.shape
-    if not reach:
-        return values
-    if mirrored and min(rows, columns) < reach:
-        return np.pad(values, reach, mode="symmetric")
-    padded = np.empty((rows + 2 * reach, columns + 2 * reach), values.dtype)
-    inside = padded[reach:-reach]
-    inside[:, reach:-reach] = values
-    inside[:, :reach] = values[:, reach - 1 :: -1] if mirrored else values[:, :1]
-    inside[:, -reach:] = values[:, : -reach - 1 : -1] if mirrored else values[:, -1:]
-    padded[:reach] = inside[reach - 1 :: -1] if mirrored else inside[:1]
-    padded[-reach:] = inside[: -reach - 1 : -1] if mirrored else inside[-1:]
-    return padded
+    return runs(runs(np.pad(mask.view(np.uint8), side // 2, "edge"), side, 0, np.add), side, 1, np.add)
 
 
 def near_border(labels: np.ndarray, reach: int) -> np.ndarray:
