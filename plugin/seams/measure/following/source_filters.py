@@ -85,7 +85,6 @@ LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
 _FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
 _ROUNDS = 3
-_SQUARE_PX = 32  # of which whole ones are of one image or another
 _LEAST_OF_SQUARE = 0.4  # of its pixels that count
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
 """Index of the sampled rows and columns of a plane, every fourth."""
@@ -181,15 +180,15 @@ def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) ->
     return made if _explains_more(mosaic, source, made, where) else source
 
 
-def best_filter(
-    mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, side_px: int = _SQUARE_PX
-) -> np.ndarray | None:
-    """Taps (5, 5) of a source by the half of a part that it explains best, square by square (least trimmed squares,
-    Rousseeuw 1984). Images of one scene are more like each other than like a mosaic that something came over, and the
-    sharpest would be followed everywhere, if they were compared as they are. None where too few pixels count, or where
-    it explains no more of the other half, as of an image that was warped from place to place.
+def best_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, side_px: int) -> np.ndarray | None:
+    """Taps (5, 5) of a source by the half of a part that it explains best (least trimmed squares, Rousseeuw 1984).
 
-    ``mosaic``, ``source``: high-passed, (rows, columns); ``where``, (rows, columns) bool: the part.
+    Images of one scene are more like each other than like a mosaic that something came over, and the sharpest would be
+    followed everywhere, if they were compared as they are. None where too few pixels count, or where it explains no
+    more of the other half, as of an image that was warped from place to place.
+
+    ``mosaic``, ``source``: high-passed, (rows, columns); ``where``, (rows, columns) bool: the part, whose squares of
+    ``side_px`` are each told as a whole.
     """
     taps, shown = None, source
     for _ in range(_ROUNDS):
@@ -201,9 +200,7 @@ def best_filter(
     return taps if _explains_more(mosaic, source, shown, where & ~best) else None
 
 
-def _best_explained(
-    mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray, side_px: int = _SQUARE_PX
-) -> np.ndarray:
+def _best_explained(mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray, side_px: int) -> np.ndarray:
     """The half of a part, (rows, columns) bool, that a source is correlated with best, square by square."""
     inside = np.float32(where)
     m, s = mosaic * inside, shown * inside
