@@ -20,17 +20,7 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import limits, messages
-from .sensor_parameters import (
-    DEM,
-    DEM_HEIGHTS,
-    GEOID,
-    IMAGE,
-    TERRAIN_ERROR,
-    SensorAlgorithm,
-    height_datums,
-    optional_real,
-    view_numbers,
-)
+from .sensor_parameters import DEM, DEM_HEIGHTS, GEOID, IMAGE, TERRAIN_ERROR, SensorAlgorithm, view_numbers
 
 if TYPE_CHECKING:
     from ..imagery.open_raster import OpenRaster
@@ -40,6 +30,7 @@ if TYPE_CHECKING:
     from .measure.orthorectification import Ortho, OrthoRequest
     from .measure.rpc import Domain
     from .measure.sensor_model import SensorModel
+    from .point_tables import SensorInputs
 
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
@@ -99,6 +90,7 @@ class OrthoAlgorithm(SensorAlgorithm):
         """The orientations and the ground. Raises SettingsError without an exterior one."""
         from ..toolkit.layers import system_wkt
         from .measure.oriented_frames import FrameFiles, read_block
+        from .point_tables import height_datums
 
         interior = run.path(INTERIOR)
         if not exterior:
@@ -169,10 +161,10 @@ class Orthorectify(OrthoAlgorithm):
         from .measure.orthorectification import orthorectify
 
         self.check(run)
-        image = self._image()
-        assert image is not None
-        sight = self._model(run, image)
-        request = self._request(run, image.ref, sight, Path(run.layer_path(OUTPUT)))
+        given = self._given(run, RPC)
+        assert given.image is not None
+        sight = self._model(run, given, given.image)
+        request = self._request(run, given.image.ref, sight, Path(run.layer_path(OUTPUT)))
         if run.parameters.get(EXTENT):
             named = self.parameterAsExtentCrs(run.parameters, EXTENT, run.context)
             target = run.crs(CRS) if request.target_wkt else named
@@ -191,11 +183,14 @@ class Orthorectify(OrthoAlgorithm):
             **view_numbers(view),
         }  # fmt: skip
 
-    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
+    def _model(
+        self, run: Run, given: SensorInputs, image: OpenRaster
+    ) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's pixels, its system and domain, and the datum that the terrain's heights have."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84
+        from .point_tables import height_datums
 
         path, is_photo = run.path(MODEL_FILE), run.path(INTERIOR) or run.path(EXTERIOR)
         if sum(map(bool, (path, run.path(RPC), is_photo))) > 1:
@@ -208,10 +203,9 @@ class Orthorectify(OrthoAlgorithm):
         if path:
             file = load_model(Path(path))
             return file.model, file.wkt, file.domain, datum
-        rpc = self._rpc(run, RPC, image)
-        if rpc is None:
+        if given.rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return rpc, WGS84, rpc_domain(rpc, image.raster), datum
+        return given.rpc, WGS84, rpc_domain(given.rpc, image.raster), datum
 
 
 class OrthorectifyPhotos(OrthoAlgorithm):
@@ -289,6 +283,11 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         if left_out and not count and not run.is_cancelled():
             raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}
+
+
+def optional_real(run: Run, name: str) -> float | None:
+    """A number that may be left out."""
+    return None if run.parameters.get(name) in (None, "") else run.real(name)
 
 
 def _described(made: Ortho) -> str:
