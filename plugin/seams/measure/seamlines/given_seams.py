@@ -130,19 +130,12 @@ class _Network:
         self, nodes: np.ndarray, pairs: np.ndarray, sides: np.ndarray, names: Sequence[str]
     ) -> Iterator[SidedSeam]:
         used, local = np.unique(pairs, return_inverse=True)
-        local = local.reshape(-1, 2)
-        places = nodes[used]  # ascending, as all nodes are
-        key = local.min(axis=1) * len(used) + local.max(axis=1)
-        order = np.argsort(key)
-        key, sides = key[order], np.where((local[:, 0] < local[:, 1])[:, np.newaxis], sides, sides[:, ::-1])[order]
-        for path in seamlines.joined(places, local):
-            seam = seamlines.straightened(seamlines.directed(path))
-            if not abs(np.diff(seam)).any():
-                continue  # a loop of a pixel
-            walk = np.searchsorted(places, seamlines.directed(path))
-            low, high = np.minimum(walk[:-1], walk[1:]), np.maximum(walk[:-1], walk[1:])
+        key = local.reshape(-1, 2) @ (len(used), 1)  # ascending, as the pairs and the nodes in each are
+        places = nodes[used]
+        for seam, walk in seamlines.seam_paths(places, local.reshape(-1, 2)):
+            low, high = np.sort([walk[:-1], walk[1:]], axis=0)
             edge_sides = sides[np.searchsorted(key, low * len(used) + high)]
-            edge_sides = np.where((walk[:-1] < walk[1:])[:, np.newaxis], edge_sides, edge_sides[:, ::-1])
+            edge_sides = np.where((walk[:-1] == low)[:, np.newaxis], edge_sides, edge_sides[:, ::-1])
             first, other = int(edge_sides[0].min()), int(edge_sides[0].max())
             weight = abs(np.diff(places[walk]))
             is_left = weight[edge_sides[:, 0] == first].sum() * 2 >= weight.sum()
@@ -153,8 +146,6 @@ class _Network:
     def _in_pixels(self, ends: np.ndarray) -> tuple[complex, np.ndarray]:
         """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""
         ends = (ends - self._origin) / self._size
-        width, height = np.ptp(ends.real), np.ptp(ends.imag)
-        if max(width, height) > seamlines.MAX_EXTENT_PX:
-            raise SeamlineError(imagery_messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
+        seamlines.check_extent(ends)
         shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
         return shift, ends - shift
