@@ -88,28 +88,23 @@ class PixelBlock(NamedTuple):
 
 
 class OpenRaster:
-    """A raster that stays open as long as this lives, or until a ``with`` block of it ends; reading opens it again.
-    Meant for one thread: what crosses threads is a ``RasterRef``.
+    """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
 
     All reads stay inside the raster, and raise RasterError when they fail. What comes over the network is asked for
     again, in a raster that is opened anew, before that.
     """
 
-    def __init__(
-        self, ref: RasterRef | str | os.PathLike[str], dataset: gdal.Dataset | None = None,
-        complex_values: bool = False,
-    ) -> None:
-        """``ref``: where it is, or its path; ``dataset``: what was made of the raster in memory, instead of its file;
-        ``complex_values`` may be welcome.
+    def __init__(self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
+        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome.
 
         Raises RasterError when it can't be opened or used.
         """
-        ref = ref if isinstance(ref, RasterRef) else RasterRef(os.fspath(ref))
         self.ref, self.is_broken = ref, False
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
         self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        self._dataset = dataset
+        self.dataset: gdal.Dataset = dataset
+        """For what only GDAL does, such as warping."""
         self.fetched(lambda opened: None)  # and so opened
         if self.dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
@@ -127,26 +122,13 @@ class OpenRaster:
             failure = messages.NOT_PERMITTED(name=ref.name)
         for path in ref.paths:
             check_raster_path(path, ref.name)
-        self._dataset = gdal_call(lambda: _opened(ref), failure)
-
-    def __enter__(self) -> OpenRaster:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self._dataset = None
-
-    @property
-    def dataset(self) -> gdal.Dataset:
-        """For what only GDAL does, such as warping."""
-        if self._dataset is None:
-            self._open()
-        return self._dataset
+        self.dataset = gdal_call(lambda: _opened(ref), failure)
 
     def fetched(self, call: Callable[[gdal.Dataset], Fetched]) -> Fetched:
         """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""
 
         def attempt(again: bool) -> Fetched:
-            if again:
+            if again or self.dataset is None:
                 self._open()
             return call(self.dataset)
 

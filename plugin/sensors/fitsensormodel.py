@@ -27,13 +27,11 @@ from .sensor_parameters import IMAGE_RPC, ORBIT_HEIGHT, ROBUST, TERRAIN_ERROR, S
 
 if TYPE_CHECKING:
     from ..imagery.errors import Message
-    from .measure.adjustment import Adjustment
     from .measure.point_planning import PlannedScene
     from .measure.registry import ModelRequest
     from .point_tables import SensorInputs
 
 MOST_PLANNED = 1000  # points
-MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
 OUTPUT, MODEL_FILE, RPC, RPC_IMAGE, POINTS = "OUTPUT", "MODEL_FILE", "RPC", "RPC_IMAGE", "POINTS"
@@ -114,15 +112,15 @@ class FitSensorModel(SensorAlgorithm):
         from . import point_tables
         from .measure.adjustment import adjust
         from .measure.fit_files import FitFiles, view_direction
-        from .measure.points import control_coverage, coverage_warnings
+        from .measure.points import control_coverage
 
-        given = self._given(run)
+        given = point_tables.SensorInputs(run, *self._prepared, IMAGE_RPC)
         request = self._request(run, given)
         points = given.read_points(request)
         done = adjust(request, points, run.flag(ROBUST))
         box = given.box(points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
-        notices = self._notices(done) + coverage_warnings(coverage)
+        notices = done.notices + coverage.notices
 
         def tell(notice: Message) -> None:
             notices.append(notice)
@@ -180,23 +178,6 @@ class FitSensorModel(SensorAlgorithm):
         rpc = given.rpc if kind.corrects_rpc else None
         return kind.request(*words, orbit_height_m=given.orbit_height_m, size=given.size, rpc=rpc)
 
-    @staticmethod
-    def _notices(done: Adjustment) -> list[Message]:
-        from .measure.adjustment import suspects
-
-        fitted, notices = done.fitted, []
-        if not fitted.converged:
-            notices.append(messages.NOT_CONVERGED(iterations=fitted.iterations))
-        if fitted.condition > MAX_CONDITION:
-            notices.append(messages.ILL_CONDITIONED(condition=fitted.condition))
-        if done.check.count == 0:
-            notices.append(messages.CHECK_POINTS_MISSING())
-        if names := done.points.named(done.blunder):
-            notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
-        elif names := done.points.named(suspects(done)):
-            notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
-        return notices
-
 
 class CompareSensorModels(SensorAlgorithm):
     """Every model that the points allow, in one table, with a recommendation."""
@@ -226,12 +207,12 @@ class CompareSensorModels(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure import adjustment
         from .measure.heights import is_flat
-        from .measure.points import control_coverage, coverage_warnings
-        from .point_tables import model_columns
+        from .measure.points import control_coverage
+        from .point_tables import SensorInputs, model_columns
 
-        given = self._given(run)
+        given = SensorInputs(run, *self._prepared, IMAGE_RPC)
         points = given.read_points()
-        notices = coverage_warnings(control_coverage(points.image[~points.check], given.box(points)))
+        notices = control_coverage(points.image[~points.check], given.box(points)).notices
         run.tell(*notices)
         requests = adjustment.all_requests(given.rpc, given.orbit_height_m, given.size)
         result = adjustment.compare(
@@ -330,10 +311,11 @@ class PlanPoints(SensorAlgorithm):
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
         from .measure.point_planning import nominal_scene, scene_of_rpc
         from .measure.points import check_heights
+        from .point_tables import SensorInputs
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
         check_heights(low, high, f"{LOWEST}, {HIGHEST}")
-        given, orbit_m = self._given(run), run.real(ORBIT_HEIGHT) * 1000
+        given, orbit_m = SensorInputs(run, *self._prepared, IMAGE_RPC), run.real(ORBIT_HEIGHT) * 1000
         rpc = given.rpc
         if rpc is not None:
             scene = scene_of_rpc(rpc, given.size, (low, high))

@@ -159,9 +159,10 @@ class Orthorectify(OrthoAlgorithm):
         from ..toolkit.layers import box_extent, system_wkt
         from .measure.fit_files import view_direction
         from .measure.orthorectification import orthorectify
+        from .point_tables import SensorInputs
 
         self.check(run)
-        given = self._given(run, RPC)
+        given = SensorInputs(run, *self._prepared, RPC)
         assert given.image is not None
         sight = self._model(run, given, given.image)
         request = self._request(run, given.image.ref, sight, Path(run.layer_path(OUTPUT)))

@@ -3,30 +3,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from osgeo import osr
-from qgis.core import (
-    QgsFeature,
-    QgsGeometry,
-    QgsPointXY,
-    QgsProcessingFeatureSource,
-    QgsProviderRegistry,
-    QgsVectorLayer,
-    QgsWkbTypes,
-)
+from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsProcessingFeatureSource, QgsWkbTypes
 
 from ..imagery.errors import Message, SensorModelError, SettingsError
-from ..imagery.gdal_calls import gdal_silenced
-from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..imagery.rasters import RasterRef
 from ..imagery.records import Column
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import features, layer_path, system_wkt
+from ..toolkit.layers import features, system_wkt
 from ..toolkit.table_fields import Attributes, attributes, feature, number, table_fields, text
 from ..toolkit.translation import tr
 from . import sensor_parameters as common
@@ -127,28 +115,6 @@ def height_datums(run: Run, *names: str) -> list[Datum]:
     if (heights.GEOID in words) != bool(path):
         raise SettingsError(messages.GEOID_OR_NONE())
     return [RasterRef(path) if word == heights.GEOID else word for word in words]
-
-
-def heights_wkt(layer: QgsVectorLayer) -> str:
-    """The system that says what a layer's heights are, or empty: QGIS forgets it, so code and file are asked."""
-    system, code = osr.SpatialReference(), str(layer.crs().authid())
-    with gdal_silenced(), suppress(RuntimeError):
-        system.SetFromUserInput(code)
-    if _has_heights(system):
-        return code
-    path = layer_path(layer)
-    file = open_dataset(path, FEATURES) if path else None
-    name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
-    with gdal_silenced(), suppress(RuntimeError):
-        part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
-        stored = None if part is None else part.GetSpatialRef()
-        if stored is not None and _has_heights(stored):
-            return str(stored.ExportToWkt(["FORMAT=WKT2_2018"]))
-    return ""
-
-
-def _has_heights(system: osr.SpatialReference) -> bool:
-    return bool(system.IsCompound()) or system.GetAxesCount() == 3
 
 
 def layer_points(source: QgsProcessingFeatureSource, heights_wkt: str) -> tuple[Points, bool, list[Message]]:

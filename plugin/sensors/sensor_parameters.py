@@ -1,10 +1,14 @@
 """Points, images, heights and their parameters, which the algorithms of sensor models share."""
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingParameterCrs, QgsVectorLayer
+from osgeo import osr
+from qgis.core import QgsProcessingParameterCrs, QgsProviderRegistry, QgsVectorLayer
 
+from ..imagery.gdal_calls import gdal_silenced
+from ..imagery.gdal_paths import FEATURES, open_dataset
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SATELLITE_IMAGES, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
@@ -13,7 +17,6 @@ from .measure import limits
 
 if TYPE_CHECKING:
     from .measure.fit_files import ViewDirection
-    from .point_tables import SensorInputs
 
 MOST_CHECK_SHARE = 0.9
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
@@ -108,21 +111,34 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return given
 
     def prepare_run(self, run: Run) -> None:
-        self._image_ref = run.raster(IMAGE)
-        self._dem = run.raster(DEM)
-        self._heights_wkt = ""  # of the points' layer, which may say what heights are in
         given = run.parameters.get(GCPS)
         layer = run.vector_layer(GCPS) if given and not points_path(given) else None
-        if layer is not None:
-            from .point_tables import heights_wkt
+        image, self._dem = run.raster(IMAGE), run.raster(DEM)
+        self._prepared = image, self._dem, "" if layer is None else _heights_wkt(layer)
+        """The files of the image and the terrain, and the system that says what the points' heights are."""
 
-            self._heights_wkt = heights_wkt(layer)
 
-    def _given(self, run: Run, rpc_name: str = IMAGE_RPC) -> SensorInputs:
-        """What the run is given, its image open; ``rpc_name``: the parameter of the RPC's file."""
-        from .point_tables import SensorInputs
+def _heights_wkt(layer: QgsVectorLayer) -> str:
+    """The system that says what a layer's heights are, or empty: QGIS forgets it, so code and file are asked."""
+    from ..imagery.reference_systems import spatial_reference
+    from ..toolkit.layers import layer_path
 
-        return SensorInputs(run, self._image_ref, self._dem, self._heights_wkt, rpc_name)
+    code = str(layer.crs().authid())
+    if _has_heights(spatial_reference(code)):
+        return code
+    path = layer_path(layer)
+    file = open_dataset(path, FEATURES) if path else None
+    name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
+    with gdal_silenced(), suppress(RuntimeError):
+        part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
+        stored = None if part is None else part.GetSpatialRef()
+        if stored is not None and _has_heights(stored):
+            return str(stored.ExportToWkt(["FORMAT=WKT2_2018"]))
+    return ""
+
+
+def _has_heights(system: osr.SpatialReference) -> bool:
+    return bool(system.IsCompound()) or system.GetAxesCount() == 3
 
 
 def view_numbers(view: ViewDirection | None) -> dict[str, float | None]:
