@@ -100,20 +100,18 @@ class OpenRaster:
         Raises RasterError when it can't be opened or used.
         """
         self.ref, self.is_broken = ref, False
-        self._is_of_file = dataset is None
-        # Looked at once: a VRT may name thousands of files.
-        self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        self.dataset: gdal.Dataset = dataset
+        self._is_remote = bool(remote_parts(ref.path))  # looked at once: a VRT may name thousands of files
+        self.dataset: Any = dataset
         """For what only GDAL does, such as warping."""
-        self.fetched(lambda opened: None)  # and so opened
-        if self.dataset.RasterCount == 0:
+        opened = self.fetched(lambda dataset: dataset)
+        if opened.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
-        check_amounts(self.dataset, ref.name)
-        kinds = [self.dataset.GetRasterBand(number).DataType for number in range(1, self.dataset.RasterCount + 1)]
+        check_amounts(opened, ref.name)
+        kinds = [opened.GetRasterBand(number).DataType for number in range(1, opened.RasterCount + 1)]
         if not complex_values and any(map(gdal.DataTypeIsComplex, kinds)):
             raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
-        self.columns, self.rows = self.dataset.RasterXSize, self.dataset.RasterYSize
-        self.roles = band_roles(self.dataset)
+        self.columns, self.rows = opened.RasterXSize, opened.RasterYSize
+        self.roles = band_roles(opened)
 
     def _open(self) -> None:
         ref = self.ref
@@ -228,7 +226,7 @@ class OpenRaster:
             for part in with_parts(self.ref.path):
                 if part != self.ref.path and not is_there(part):
                     raise RasterError(messages.PART_NOT_FOUND(name=self.ref.name, part=part)) from None
-            if size is None or not self._is_of_file:
+            if size is None:
                 raise
         # Of a JPEG in TIFF libjpeg decodes a half to an eighth of a tile alone for reduced pixels, where it takes sound
         # tiles for cut off now and then.

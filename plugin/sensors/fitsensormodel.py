@@ -8,12 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessingOutputString,
-    QgsProcessingParameterString,
-    QgsWkbTypes,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingOutputString, QgsProcessingParameterString, QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError, SettingsError
@@ -165,7 +160,7 @@ class FitSensorModel(SensorAlgorithm):
                     "{max_y:.3f} m"
                 )
                 sides = {"x": errors.rmse_x, "y": errors.rmse_y, "max_x": errors.max_x, "max_y": errors.max_y}
-                run.inform(filled(words, name=title, count=errors.count, **sides))
+                run.feedback.pushInfo(filled(words, name=title, count=errors.count, **sides))
         condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
         return {**results, CONDITION: condition, **view_numbers(view), BIAS_COLUMN: column, BIAS_ROW: row}
 

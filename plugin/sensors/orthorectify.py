@@ -171,11 +171,11 @@ class Orthorectify(OrthoAlgorithm):
             target = run.crs(CRS) if request.target_wkt else named
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
-            extent = box_extent(run.extent(EXTENT, target))
+            extent = box_extent(self.parameterAsExtent(run.parameters, EXTENT, run.context, target))
             request = replace(request, target_wkt=system_wkt(target), extent=extent)
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
-        run.inform(_described(made))
+        run.feedback.pushInfo(_described(made))
         view = view_direction(*sight[:3], run.real(TERRAIN_ERROR))
         if view is not None:
             run.tell(view.notice)
@@ -262,7 +262,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         run.tell(*left_out)
         wkt, size, count = "", None, 0
         for number, photo in enumerate(photos):
-            run.doing(photo.name)
+            run.feedback.setProgressText(photo.name)
             try:
                 image = open_image(RasterRef(str(photo.path)))
                 frame = block.frame(image, photo.name)
@@ -280,7 +280,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 continue
             wkt, size, count = made.wkt, made.grid.pixel_width, count + 1
             run.tell_once(made.notices)
-            run.inform(f"{photo.name}: {_described(made)}")
+            run.feedback.pushInfo(f"{photo.name}: {_described(made)}")
         if left_out and not count and not run.is_cancelled():
             raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}

@@ -36,7 +36,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job, Outcome
 from ...toolkit.desk.tool_dock import ToolDock, bar_level
 from ...toolkit.desk.widgets import ClippedLabel, LayerBox, vectors_without
-from ...toolkit.layers import layer_ref, mosaic_crs, transformed_point
+from ...toolkit.layers import layer_ref, mosaic_crs, transformed_place
 from ...toolkit.reference_systems import transformation
 from ...toolkit.translation import sentence, tr
 from .. import line_layers
@@ -264,7 +264,7 @@ class BarDock(ToolDock):
         if self._raster is None:
             return None
         map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
-        ends = [place for point in (start, end) if (place := transformed_point(point, map_crs, crs)) is not None]
+        ends = [place for point in (start, end) if (place := transformed_place(point, map_crs, crs)) is not None]
         if len(ends) < 2 or ends[0] == ends[1]:
             return None
         return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))

@@ -77,8 +77,7 @@ class _Checked:
 
     def _refuse(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        common.check_values(self, self.for_check(parameters), context)
-        common.check_files(self, parameters)
+        common.check_values(self, parameters, context)
         refuse_outputs(self, parameters, context)
         run = Run(self, parameters, context)
         run.check_endings()
