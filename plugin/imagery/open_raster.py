@@ -86,6 +86,10 @@ class PixelBlock(NamedTuple):
         """(rows, columns) bool."""
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
+    @property
+    def invalid_share(self) -> float:
+        return 0.0 if self.invalid is None else float(self.invalid.mean())
+
 
 class OpenRaster:
     """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
@@ -239,9 +243,9 @@ class OpenRaster:
 
     def is_valid(self, window: PixelWindow) -> bool:
         """Whether enough pixels of a window are valid: by every fourth pixel where that tells for sure, else by all."""
-        share = _share_of(self.thinned(window, 4).invalid)
+        share = self.thinned(window, 4).invalid_share
         is_near = 0 < share <= 2 * limits.MAX_INVALID_SHARE
-        return (_share_of(self.read(window).invalid) if is_near else share) <= limits.MAX_INVALID_SHARE
+        return (self.read(window).invalid_share if is_near else share) <= limits.MAX_INVALID_SHARE
 
     def stored_share(self, window: PixelWindow) -> float:
         """Share of a window that the file has blocks for, 0 to 1, by its list of them; 1 where it has none. What it has
@@ -386,7 +390,3 @@ def placed(raster: Raster) -> Raster:
     if not raster.wkt:
         raise RasterError(messages.NO_REFERENCE_SYSTEM(name=raster.ref.name))
     return raster
-
-
-def _share_of(invalid: np.ndarray | None) -> float:
-    return 0.0 if invalid is None else float(invalid.mean())
