@@ -33,16 +33,16 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(4678, 0, 0),
-    "plugin/seams/measure": Measures(16529, 1, 0),
+    "plugin/imagery": Measures(4658, 0, 0),
+    "plugin/seams/measure": Measures(16513, 1, 0),
     "plugin/seams": Measures(12994, 0, 0),
     "plugin/acceptance": Measures(5399, 1, 0),
-    "plugin/toolkit": Measures(4368, 0, 0),
+    "plugin/toolkit": Measures(4302, 0, 0),
     "plugin/noise": Measures(1922, 0, 0),
     "plugin/radiometry": Measures(1988, 0, 0),
     "plugin/resolution": Measures(2986, 0, 0),
     "plugin/photos": Measures(3397, 0, 0),
-    "plugin/sensors": Measures(5130, 0, 0),
+    "plugin/sensors": Measures(5082, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1062, 0, 0),
     "tests": Measures(47990, 0, 0),

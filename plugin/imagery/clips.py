@@ -129,12 +129,11 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     Raises RasterError when the mosaic can't be read.
     """
     source, grid = OpenRaster(mosaic.ref), mosaic.grid
-    left, right = (grid.column_at(x) for x in (extent[0], extent[2]))
-    top, bottom = (grid.row_at(y) for y in (extent[3], extent[1]))
-    if not all(map(math.isfinite, (left, right, top, bottom))):
+    corners = grid.to_pixels(np.reshape(extent, (2, 2)))
+    if not np.isfinite(corners).all():
         return None
-    column, row = math.floor(left), math.floor(top)
-    part = PixelWindow(column, row, math.ceil(right) - column, math.ceil(bottom) - row)
+    first, last = np.floor(corners.min(axis=0)).astype(int), np.ceil(corners.max(axis=0)).astype(int)
+    part = PixelWindow(*first.tolist(), *(last - first).tolist())
     window = part.cut_to(grid.columns, grid.rows)
     pixels = window.width * window.height
     if not pixels or (pixels > MAX_OVERVIEW_PIXELS and not source.dataset.GetRasterBand(1).GetOverviewCount()):

@@ -172,8 +172,9 @@ def undirected(edges: np.ndarray, node_count: int) -> tuple[np.ndarray, np.ndarr
     return np.column_stack(np.divmod(key, node_count)), pair
 
 
-def joined(nodes: np.ndarray, edges: np.ndarray) -> Iterator[np.ndarray]:
-    """Edges (m, 2) end to end: paths of vertices, the longest possible ones under the rules above.
+def seam_paths(nodes: np.ndarray, edges: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Edges (m, 2) end to end, the longest possible paths under the rules above, each straightened and as the numbers
+    of its nodes, which are numbered from west to east, then from south to north.
 
     An end of edge e is numbered 2e (its start) or 2e + 1 (its stop), so ``end ^ 1`` is the other end.
     """
@@ -198,7 +199,15 @@ def joined(nodes: np.ndarray, edges: np.ndarray) -> Iterator[np.ndarray]:
             next_end[[end, other]] = other, end
     for run in _runs(next_end):
         parts = [chains[end >> 1][:: -1 if end & 1 else 1] for end in run]
-        yield nodes[np.concatenate([part[:-1] for part in parts] + [parts[-1][-1:]])]
+        walk = np.concatenate([part[:-1] for part in parts] + [parts[-1][-1:]])
+        if is_ring := walk[0] == walk[-1]:
+            walk = np.roll(walk[:-1], -int(walk[:-1].argmin()))
+            walk = np.append(walk, walk[0])
+        if signed_area(nodes[walk]) <= 0 if is_ring else walk[0] > walk[-1]:
+            walk = walk[::-1]
+        seam = straightened(nodes[walk])
+        if abs(np.diff(seam)).any():  # a loop of one pixel straightens to a point
+            yield seam, walk
 
 
 def _runs(next_end: np.ndarray) -> Iterator[list[int]]:
@@ -261,26 +270,24 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
 
     Raises SeamlineError when the layer holds no seam, can't be read, or is of another size than the mosaic.
     """
-    lines, rings, owners = _read(geometries)
+    lines, rings = _read(geometries)
     if not lines and not rings:
         raise SeamlineError(messages.SEAMLINES_NO_LINES())
-    points = np.concatenate(lines + rings)
+    points = np.concatenate([*lines, *(ring for _, ring in rings)])
     if not np.isfinite(points).all():
         raise SeamlineError(messages.SEAMLINES_NOT_FINITE())
     origin = complex(points.real.min(), points.imag.min())
-    width, height = np.ptp(points.real) / pixel_size, np.ptp(points.imag) / pixel_size
-    if max(width, height) > MAX_EXTENT_PX:
-        raise SeamlineError(messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
+    check_extent(points / pixel_size)
     nodes, edges = np.empty(0, dtype=complex), np.empty((0, 2), dtype=int)
     if rings:
-        pieces, ring = line_pieces(rings)
+        owners, outlines = zip(*rings)
+        pieces, ring = line_pieces(outlines)
         nodes, edges, low, high = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
         edges = edges[low.min(axis=0) < high.max(axis=0)]
     if lines:
         pieces = (line_pieces(lines)[0] - origin) / pixel_size
         nodes, edges, _ = network(np.concatenate([pieces, nodes[edges]]), SNAP_PX)
-    seams = [straightened(directed(path)) for path in joined(nodes, edges)]
-    seams = [seam for seam in seams if abs(np.diff(seam)).any()]  # a loop of one pixel straightens to a point
+    seams = [seam for seam, _ in seam_paths(nodes, edges)]
     if not seams:
         raise SeamlineError(messages.SEAMLINES_APART() if rings else messages.SEAMLINES_TOO_SHORT())
     # Rounded, so that equal lengths stay equal whichever way the input was summed up.
@@ -288,23 +295,27 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
     return [Seam(number, as_xy(seam * pixel_size + origin)) for number, seam in enumerate(seams, start=1)]
 
 
+def check_extent(places: np.ndarray) -> None:
+    """Raise SeamlineError for places (..., complex), px, that are farther apart than any mosaic is wide."""
+    width, height = np.ptp(places.real), np.ptp(places.imag)
+    if max(width, height) > MAX_EXTENT_PX:
+        raise SeamlineError(messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
+
+
 # --- reading ---------------------------------------------------------------------------------------------------
 
 
-def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np.ndarray], list[int]]:
-    """Lines, polygon rings with the interior on their left, and the feature each ring belongs to (map units)."""
+def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[tuple[int, np.ndarray]]]:
+    """Lines, and polygon rings with the interior on their left and the feature that each belongs to (map units)."""
     lines: list[np.ndarray] = []
     rings: list[tuple[int, np.ndarray]] = []
     for number, wkb in enumerate(geometries, start=1):
-        geometry = read_geometry(wkb, number) if wkb else None
-        if geometry is None or geometry.IsEmpty():
-            continue
-        for part in simple_parts(geometry):
+        for part in simple_parts(read_geometry(wkb, number)) if wkb else ():
             if is_polygon(part):
                 rings += [(number, ring) for ring in polygon_rings(part, number)]
             elif part.GetPointCount() > 1:
                 lines.append(line_points(part))
-    return lines, [ring for _, ring in rings], [number for number, _ in rings]
+    return lines, rings
 
 
 def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:
@@ -366,15 +377,6 @@ def line_points(line: ogr.Geometry) -> np.ndarray:
 
 
 # --- lines -----------------------------------------------------------------------------------------------------
-
-
-def directed(path: np.ndarray) -> np.ndarray:
-    """A path in its standard direction: west to east, or a ring counter-clockwise from its westernmost vertex."""
-    if path[0] != path[-1]:
-        return path if (path[0].real, path[0].imag) < (path[-1].real, path[-1].imag) else path[::-1]
-    ring = np.roll(path[:-1], -int(np.lexsort((path[:-1].imag, path[:-1].real))[0]))
-    ring = np.append(ring, ring[0])
-    return ring if signed_area(ring) > 0 else ring[::-1]
 
 
 def straightened(path: np.ndarray, tolerance: float = STRAIGHTEN_PX) -> np.ndarray:

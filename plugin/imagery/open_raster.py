@@ -86,39 +86,36 @@ class PixelBlock(NamedTuple):
         """(rows, columns) bool."""
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
+    @property
+    def invalid_share(self) -> float:
+        return 0.0 if self.invalid is None else float(self.invalid.mean())
+
 
 class OpenRaster:
-    """A raster that stays open as long as this lives, or until a ``with`` block of it ends; reading opens it again.
-    Meant for one thread: what crosses threads is a ``RasterRef``.
+    """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
 
     All reads stay inside the raster, and raise RasterError when they fail. What comes over the network is asked for
     again, in a raster that is opened anew, before that.
     """
 
-    def __init__(
-        self, ref: RasterRef | str | os.PathLike[str], dataset: gdal.Dataset | None = None,
-        complex_values: bool = False,
-    ) -> None:
-        """``ref``: where it is, or its path; ``dataset``: what was made of the raster in memory, instead of its file;
-        ``complex_values`` may be welcome.
+    def __init__(self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
+        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome.
 
         Raises RasterError when it can't be opened or used.
         """
-        ref = ref if isinstance(ref, RasterRef) else RasterRef(os.fspath(ref))
         self.ref, self.is_broken = ref, False
-        self._is_of_file = dataset is None
-        # Looked at once: a VRT may name thousands of files.
-        self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        self._dataset = dataset
-        self.fetched(lambda opened: None)  # and so opened
-        if self.dataset.RasterCount == 0:
+        self._is_remote = bool(remote_parts(ref.path))  # looked at once: a VRT may name thousands of files
+        self.dataset: Any = dataset
+        """For what only GDAL does, such as warping."""
+        opened = self.fetched(lambda dataset: dataset)
+        if opened.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
-        check_amounts(self.dataset, ref.name)
-        kinds = [self.dataset.GetRasterBand(number).DataType for number in range(1, self.dataset.RasterCount + 1)]
+        check_amounts(opened, ref.name)
+        kinds = [opened.GetRasterBand(number).DataType for number in range(1, opened.RasterCount + 1)]
         if not complex_values and any(map(gdal.DataTypeIsComplex, kinds)):
             raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
-        self.columns, self.rows = self.dataset.RasterXSize, self.dataset.RasterYSize
-        self.roles = band_roles(self.dataset)
+        self.columns, self.rows = opened.RasterXSize, opened.RasterYSize
+        self.roles = band_roles(opened)
 
     def _open(self) -> None:
         ref = self.ref
@@ -127,26 +124,13 @@ class OpenRaster:
             failure = messages.NOT_PERMITTED(name=ref.name)
         for path in ref.paths:
             check_raster_path(path, ref.name)
-        self._dataset = gdal_call(lambda: _opened(ref), failure)
-
-    def __enter__(self) -> OpenRaster:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self._dataset = None
-
-    @property
-    def dataset(self) -> gdal.Dataset:
-        """For what only GDAL does, such as warping."""
-        if self._dataset is None:
-            self._open()
-        return self._dataset
+        self.dataset = gdal_call(lambda: _opened(ref), failure)
 
     def fetched(self, call: Callable[[gdal.Dataset], Fetched]) -> Fetched:
         """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""
 
         def attempt(again: bool) -> Fetched:
-            if again:
+            if again or self.dataset is None:
                 self._open()
             return call(self.dataset)
 
@@ -246,7 +230,7 @@ class OpenRaster:
             for part in with_parts(self.ref.path):
                 if part != self.ref.path and not is_there(part):
                     raise RasterError(messages.PART_NOT_FOUND(name=self.ref.name, part=part)) from None
-            if size is None or not self._is_of_file:
+            if size is None:
                 raise
         # Of a JPEG in TIFF libjpeg decodes a half to an eighth of a tile alone for reduced pixels, where it takes sound
         # tiles for cut off now and then.
@@ -259,9 +243,9 @@ class OpenRaster:
 
     def is_valid(self, window: PixelWindow) -> bool:
         """Whether enough pixels of a window are valid: by every fourth pixel where that tells for sure, else by all."""
-        share = _share_of(self.thinned(window, 4).invalid)
+        share = self.thinned(window, 4).invalid_share
         is_near = 0 < share <= 2 * limits.MAX_INVALID_SHARE
-        return (_share_of(self.read(window).invalid) if is_near else share) <= limits.MAX_INVALID_SHARE
+        return (self.read(window).invalid_share if is_near else share) <= limits.MAX_INVALID_SHARE
 
     def stored_share(self, window: PixelWindow) -> float:
         """Share of a window that the file has blocks for, 0 to 1, by its list of them; 1 where it has none. What it has
@@ -406,7 +390,3 @@ def placed(raster: Raster) -> Raster:
     if not raster.wkt:
         raise RasterError(messages.NO_REFERENCE_SYSTEM(name=raster.ref.name))
     return raster
-
-
-def _share_of(invalid: np.ndarray | None) -> float:
-    return 0.0 if invalid is None else float(invalid.mean())

@@ -153,9 +153,8 @@ def is_geographic(wkt: str) -> bool:
 
 def utm_wkt(longitude: float, latitude: float) -> str:
     """The UTM zone (WGS 84) of a place."""
-    system = osr.SpatialReference()
-    system.ImportFromEPSG((32600 if latitude >= 0 else 32700) + int((longitude + 180) % 360 // 6) + 1)
-    return str(system.ExportToWkt())
+    code = (32600 if latitude >= 0 else 32700) + int((longitude + 180) % 360 // 6) + 1
+    return str(spatial_reference(f"EPSG:{code}").ExportToWkt())
 
 
 def horizontal_wkt(wkt: str) -> str:

@@ -132,7 +132,7 @@ class CheckNoise(RasterListAlgorithm):
             run.write(sink, noise_summary.noise_features(clip, levels))
         counts = noise_summary.verdict_counts(results)
         words = noise_summary.VERDICT_WORDS
-        run.inform(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))
+        run.feedback.pushInfo(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))
         return {
             OUTPUT: output_id,
             **run.save(common.CHART, lambda path: _save_chart(path, results, field)),

@@ -139,11 +139,11 @@ class CompareMarks(SeamInspectorAlgorithm):
             known = zip(STATISTICS[1:], made.lengths)
             results.update({f"{name}_{unit.upper()}": value for name, value in known if not math.isnan(value)})
             lengths = {"mean": made.mean, "maximum": made.maximum, "minimum": made.minimum}
-            run.inform(filled(words, count=made.count, unit=unit, **lengths))
+            run.feedback.pushInfo(filled(words, count=made.count, unit=unit, **lengths))
         words = tr("The mean distance is within the limit of {limit:g} px.") if within else tr(
             "The mean distance is beyond the limit of {limit:g} px."
         )
-        run.inform(filled(words, limit=limit))
+        run.feedback.pushInfo(filled(words, limit=limit))
         return results
 
     @staticmethod

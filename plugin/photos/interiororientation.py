@@ -194,7 +194,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         if made.fitted is not None:
             words = tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.")
             model = sentence(messages.WORDS[made.fitted.to_mm.model])
-            run.inform(filled(words, marks=made.fitted.marks, rms=made.fitted.rms, model=model))
+            run.feedback.pushInfo(filled(words, marks=made.fitted.marks, rms=made.fitted.rms, model=model))
 
     def _calibration(self, run: Run) -> CameraCalibration:
         from .measure.camera_calibration import read_calibration

@@ -137,16 +137,16 @@ class CheckRadiometry(RasterListAlgorithm):
             run.write(grey_sink, image_set.maybe_grey_features(result, images, run.context.transformContext()))
             run.tell_once(result.notices)
             for sentence in words.found_words(result):
-                run.inform(f"{words.title(result)}: {sentence}")
+                run.feedback.pushInfo(f"{words.title(result)}: {sentence}")
             results.append(result)
         if not results and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(unseen[-1:])))
         decision = None
         if not run.is_cancelled():
             decision = decide(results, unseen)
-            run.inform(filled(tr("Radiometry: {word}."), word=words.decision_word(decision)))
+            run.feedback.pushInfo(filled(tr("Radiometry: {word}."), word=words.decision_word(decision)))
             for reason in words.decision_reasons(decision):
-                run.inform(reason)
+                run.feedback.pushInfo(reason)
         figures = [checked for result in results for checked in result.checked_figures]
         states = [checked.passed for checked in figures]
         return {

@@ -150,7 +150,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
             raise SettingsError(messages.NO_LINE_MEASURED(count=count))
         run.tell(*resolution.notices)
         for sentence in distance_sentences(resolution):
-            run.inform(sentence)
+            run.feedback.pushInfo(sentence)
         sink, destination = run.sink(OUTPUT, line_layers.result_fields(), QgsWkbTypes.Type.LineString, crs)
         run.write(sink, line_layers.result_features(resolution.results, raster.grid))
         return {

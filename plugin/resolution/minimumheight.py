@@ -157,7 +157,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
         run.write(passes, rows)
         for result in results:
             name = ", ".join(result.key) or tr("all passes")
-            run.inform(f"{name}: {shown_number(result.mean_m, 1)} m")
+            run.feedback.pushInfo(f"{name}: {shown_number(result.mean_m, 1)} m")
             if result.notice is not None:
                 run.tell(imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
         return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}

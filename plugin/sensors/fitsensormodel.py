@@ -8,12 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsProcessingOutputString,
-    QgsProcessingParameterString,
-    QgsWkbTypes,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingOutputString, QgsProcessingParameterString, QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError, SettingsError
@@ -23,26 +18,15 @@ from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import column_features, column_fields, table_fields
 from ..toolkit.translation import filled, sentence, tr
 from .measure import limits, messages, registry
-from .sensor_parameters import (
-    IMAGE_RPC,
-    ORBIT_HEIGHT,
-    ROBUST,
-    TERRAIN_ERROR,
-    SensorAlgorithm,
-    image_box,
-    view_numbers,
-)
+from .sensor_parameters import IMAGE_RPC, ORBIT_HEIGHT, ROBUST, TERRAIN_ERROR, SensorAlgorithm, view_numbers
 
 if TYPE_CHECKING:
     from ..imagery.errors import Message
-    from ..imagery.open_raster import OpenRaster
-    from .measure.adjustment import Adjustment
     from .measure.point_planning import PlannedScene
-    from .measure.polynomials import Rational
     from .measure.registry import ModelRequest
+    from .point_tables import SensorInputs
 
 MOST_PLANNED = 1000  # points
-MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
 OUTPUT, MODEL_FILE, RPC, RPC_IMAGE, POINTS = "OUTPUT", "MODEL_FILE", "RPC", "RPC_IMAGE", "POINTS"
@@ -123,22 +107,21 @@ class FitSensorModel(SensorAlgorithm):
         from . import point_tables
         from .measure.adjustment import adjust
         from .measure.fit_files import FitFiles, view_direction
-        from .measure.points import control_coverage, coverage_warnings
+        from .measure.points import control_coverage
 
-        image = self._image()
-        rpc = self._rpc(run, IMAGE_RPC, image)
-        request = self._request(run, image, rpc)
-        points = self._points(run, image, rpc, request)
+        given = point_tables.SensorInputs(run, *self._prepared, IMAGE_RPC)
+        request = self._request(run, given)
+        points = given.read_points(request)
         done = adjust(request, points, run.flag(ROBUST))
-        box = image_box(image, points)
+        box = given.box(points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
-        notices = self._notices(done) + coverage_warnings(coverage)
+        notices = done.notices + coverage.notices
 
         def tell(notice: Message) -> None:
             notices.append(notice)
             run.tell(notice)
 
-        files = FitFiles(done, image, box, run.is_cancelled, tell)
+        files = FitFiles(done, given.image, box, run.is_cancelled, tell)
         column, row = None, None
         if files.rpc_bias is not None:
             (column, row), *_ = biases = files.rpc_bias.tolist()
@@ -177,35 +160,18 @@ class FitSensorModel(SensorAlgorithm):
                     "{max_y:.3f} m"
                 )
                 sides = {"x": errors.rmse_x, "y": errors.rmse_y, "max_x": errors.max_x, "max_y": errors.max_y}
-                run.inform(filled(words, name=title, count=errors.count, **sides))
+                run.feedback.pushInfo(filled(words, name=title, count=errors.count, **sides))
         condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
         return {**results, CONDITION: condition, **view_numbers(view), BIAS_COLUMN: column, BIAS_ROW: row}
 
-    def _request(self, run: Run, image: OpenRaster | None, rpc: Rational | None) -> ModelRequest:
+    @staticmethod
+    def _request(run: Run, given: SensorInputs) -> ModelRequest:
         kind = registry.KINDS[run.text(MODEL)]
-        if kind.corrects_rpc and rpc is None:
+        if given.rpc is None and kind.corrects_rpc:
             raise SensorModelError(messages.NO_RPC())
         words = str(run.whole(ORDER)), run.text(BIAS), "xy" if run.flag(DLT_XY) else ""
-        size = (float(image.columns), float(image.rows)) if image is not None else None
-        orbit_m = self._orbit_height_m(run, image)
-        return kind.request(*words, orbit_height_m=orbit_m, size=size, rpc=rpc if kind.corrects_rpc else None)
-
-    @staticmethod
-    def _notices(done: Adjustment) -> list[Message]:
-        from .measure.adjustment import suspects
-
-        fitted, notices = done.fitted, []
-        if not fitted.converged:
-            notices.append(messages.NOT_CONVERGED(iterations=fitted.iterations))
-        if fitted.condition > MAX_CONDITION:
-            notices.append(messages.ILL_CONDITIONED(condition=fitted.condition))
-        if done.check.count == 0:
-            notices.append(messages.CHECK_POINTS_MISSING())
-        if names := done.points.named(done.blunder):
-            notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
-        elif names := done.points.named(suspects(done)):
-            notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
-        return notices
+        rpc = given.rpc if kind.corrects_rpc else None
+        return kind.request(*words, orbit_height_m=given.orbit_height_m, size=given.size, rpc=rpc)
 
 
 class CompareSensorModels(SensorAlgorithm):
@@ -236,18 +202,16 @@ class CompareSensorModels(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure import adjustment
         from .measure.heights import is_flat
-        from .measure.points import control_coverage, coverage_warnings
-        from .point_tables import model_columns
+        from .measure.points import control_coverage
+        from .point_tables import SensorInputs, model_columns
 
-        image = self._image()
-        rpc = self._rpc(run, IMAGE_RPC, image)
-        points = self._points(run, image, rpc)
-        size = (float(image.columns), float(image.rows)) if image is not None else None
-        notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
+        given = SensorInputs(run, *self._prepared, IMAGE_RPC)
+        points = given.read_points()
+        notices = control_coverage(points.image[~points.check], given.box(points)).notices
         run.tell(*notices)
+        requests = adjustment.all_requests(given.rpc, given.orbit_height_m, given.size)
         result = adjustment.compare(
-            points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
-            is_flat(points), run.progress, run.is_cancelled,
+            points, requests, run.flag(ROBUST), is_flat(points), run.progress, run.is_cancelled
         )
         columns = model_columns(result)
         sink, output = run.sink(OUTPUT, column_fields(columns))
@@ -342,16 +306,16 @@ class PlanPoints(SensorAlgorithm):
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
         from .measure.point_planning import nominal_scene, scene_of_rpc
         from .measure.points import check_heights
+        from .point_tables import SensorInputs
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
         check_heights(low, high, f"{LOWEST}, {HIGHEST}")
-        image, orbit_m = self._image(), run.real(ORBIT_HEIGHT) * 1000
-        rpc = self._rpc(run, IMAGE_RPC, image)
-        if rpc is None and image is not None:
-            raise SettingsError(messages.PLAN_IMAGE_WITHOUT_RPC())
+        given, orbit_m = SensorInputs(run, *self._prepared, IMAGE_RPC), run.real(ORBIT_HEIGHT) * 1000
+        rpc = given.rpc
         if rpc is not None:
-            size = (float(image.columns), float(image.rows)) if image is not None else None
-            scene = scene_of_rpc(rpc, size, (low, high))
+            scene = scene_of_rpc(rpc, given.size, (low, high))
+        elif given.image is not None:
+            raise SettingsError(messages.PLAN_IMAGE_WITHOUT_RPC())
         else:
             side_m = run.real(SIDE) * 1000
             scene = nominal_scene(orbit_m, run.real(VIEW_ANGLE), run.real(PIXEL_SIZE), side_m, (low, high))

@@ -20,17 +20,7 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import limits, messages
-from .sensor_parameters import (
-    DEM,
-    DEM_HEIGHTS,
-    GEOID,
-    IMAGE,
-    TERRAIN_ERROR,
-    SensorAlgorithm,
-    height_datums,
-    optional_real,
-    view_numbers,
-)
+from .sensor_parameters import DEM, DEM_HEIGHTS, GEOID, IMAGE, TERRAIN_ERROR, SensorAlgorithm, view_numbers
 
 if TYPE_CHECKING:
     from ..imagery.open_raster import OpenRaster
@@ -40,6 +30,7 @@ if TYPE_CHECKING:
     from .measure.orthorectification import Ortho, OrthoRequest
     from .measure.rpc import Domain
     from .measure.sensor_model import SensorModel
+    from .point_tables import SensorInputs
 
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
@@ -99,6 +90,7 @@ class OrthoAlgorithm(SensorAlgorithm):
         """The orientations and the ground. Raises SettingsError without an exterior one."""
         from ..toolkit.layers import system_wkt
         from .measure.oriented_frames import FrameFiles, read_block
+        from .point_tables import height_datums
 
         interior = run.path(INTERIOR)
         if not exterior:
@@ -167,22 +159,23 @@ class Orthorectify(OrthoAlgorithm):
         from ..toolkit.layers import box_extent, system_wkt
         from .measure.fit_files import view_direction
         from .measure.orthorectification import orthorectify
+        from .point_tables import SensorInputs
 
         self.check(run)
-        image = self._image()
-        assert image is not None
-        sight = self._model(run, image)
-        request = self._request(run, image.ref, sight, Path(run.layer_path(OUTPUT)))
+        given = SensorInputs(run, *self._prepared, RPC)
+        assert given.image is not None
+        sight = self._model(run, given, given.image)
+        request = self._request(run, given.image.ref, sight, Path(run.layer_path(OUTPUT)))
         if run.parameters.get(EXTENT):
             named = self.parameterAsExtentCrs(run.parameters, EXTENT, run.context)
             target = run.crs(CRS) if request.target_wkt else named
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
-            extent = box_extent(run.extent(EXTENT, target))
+            extent = box_extent(self.parameterAsExtent(run.parameters, EXTENT, run.context, target))
             request = replace(request, target_wkt=system_wkt(target), extent=extent)
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
-        run.inform(_described(made))
+        run.feedback.pushInfo(_described(made))
         view = view_direction(*sight[:3], run.real(TERRAIN_ERROR))
         if view is not None:
             run.tell(view.notice)
@@ -191,11 +184,14 @@ class Orthorectify(OrthoAlgorithm):
             **view_numbers(view),
         }  # fmt: skip
 
-    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
+    def _model(
+        self, run: Run, given: SensorInputs, image: OpenRaster
+    ) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's pixels, its system and domain, and the datum that the terrain's heights have."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84
+        from .point_tables import height_datums
 
         path, is_photo = run.path(MODEL_FILE), run.path(INTERIOR) or run.path(EXTERIOR)
         if sum(map(bool, (path, run.path(RPC), is_photo))) > 1:
@@ -208,10 +204,9 @@ class Orthorectify(OrthoAlgorithm):
         if path:
             file = load_model(Path(path))
             return file.model, file.wkt, file.domain, datum
-        rpc = self._rpc(run, RPC, image)
-        if rpc is None:
+        if given.rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return rpc, WGS84, rpc_domain(rpc, image.raster), datum
+        return given.rpc, WGS84, rpc_domain(given.rpc, image.raster), datum
 
 
 class OrthorectifyPhotos(OrthoAlgorithm):
@@ -267,7 +262,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         run.tell(*left_out)
         wkt, size, count = "", None, 0
         for number, photo in enumerate(photos):
-            run.doing(photo.name)
+            run.feedback.setProgressText(photo.name)
             try:
                 image = open_image(RasterRef(str(photo.path)))
                 frame = block.frame(image, photo.name)
@@ -285,10 +280,15 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 continue
             wkt, size, count = made.wkt, made.grid.pixel_width, count + 1
             run.tell_once(made.notices)
-            run.inform(f"{photo.name}: {_described(made)}")
+            run.feedback.pushInfo(f"{photo.name}: {_described(made)}")
         if left_out and not count and not run.is_cancelled():
             raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}
+
+
+def optional_real(run: Run, name: str) -> float | None:
+    """A number that may be left out."""
+    return None if run.parameters.get(name) in (None, "") else run.real(name)
 
 
 def _described(made: Ortho) -> str:

@@ -5,8 +5,6 @@ import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
-from enum import Enum
 from threading import Lock
 from typing import Any, Callable, ClassVar, NamedTuple
 
@@ -30,18 +28,11 @@ class Ahead(NamedTuple):
     result: object
 
 
-class End(Enum):
+class Outcome(NamedTuple):
     """The end of a task; a cancelled one did not fail."""
 
-    DONE = "done"
-    FAILED = "failed"
-    CANCELLED = "cancelled"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    end: End
-    message: Message | None = None  # why it failed
+    failure: Message | None
+    is_cancelled: bool
 
 
 class BackgroundTask(QgsTask):
@@ -82,9 +73,8 @@ class BackgroundTask(QgsTask):
         return True  # QGIS would say of anything else that it failed, over what we say of it
 
     def finished(self, result: bool) -> None:
-        was_cancelled = self.isCanceled() or not result
-        end = End.FAILED if self._failure else End.CANCELLED if was_cancelled else End.DONE
-        self.ended.emit(Outcome(end, self._failure))
+        is_cancelled = self._failure is None and (self.isCanceled() or not result)
+        self.ended.emit(Outcome(self._failure, is_cancelled))
 
 
 class BackgroundTasks(QObject):
@@ -164,8 +154,8 @@ class BackgroundTasks(QObject):
         self._tasks = [other for other in self._tasks if other is not task]
         if task.take is None:
             return
-        if outcome.message is not None:
-            self.failed.emit(outcome.message)
+        if outcome.failure is not None:
+            self.failed.emit(outcome.failure)
         if task.steps:
             self._settle()
         self.ended.emit(task.key, outcome)

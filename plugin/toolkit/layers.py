@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import lru_cache
+from typing import TypeVar
 
 from osgeo import gdal
 from qgis.core import (
@@ -225,21 +226,16 @@ def box_extent(box: QgsRectangle) -> Extent:
     return box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()
 
 
-def transformed_point(
-    point: QgsPointXY, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
-) -> QgsPointXY | None:
-    """A point in another reference system, by the project's choice of transformations."""
-    with suppress(QgsCsException, WindowError):
-        return transformation(crs, target, QgsProject.instance().transformContext()).transform(point)
-    return None
+_Place = TypeVar("_Place", QgsPointXY, QgsRectangle)
 
 
-def transformed_box(
-    box: QgsRectangle, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
-) -> QgsRectangle | None:
-    """The rectangle around a rectangle that is transformed."""
+def transformed_place(
+    place: _Place, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
+) -> _Place | None:
+    """A point, or the rectangle around a rectangle, in another system, by the project's choice of transformations."""
     with suppress(QgsCsException, WindowError):
-        return transformation(crs, target, QgsProject.instance().transformContext()).transformBoundingBox(box)
+        moving = transformation(crs, target, QgsProject.instance().transformContext())
+        return moving.transformBoundingBox(place) if isinstance(place, QgsRectangle) else moving.transform(place)
     return None
 
 

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from osgeo import gdal, ogr
 from seam_inspector import Block, SettingsError, inspect_window, open_block, scan
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.open_raster import describe
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
 from seam_inspector.plugin.seams.measure.window import inspection
 
@@ -40,7 +41,7 @@ def test_sheets_with_their_neighbours_add_up_to_the_whole(folder: Path) -> None:
     for name in ("west", "east"):
         opened = sheet(folder, name, neighbours=[folder / "west.tif", folder / "east.tif"])
         result = sheets[name] = scan(opened, seamlines=lines)
-        xmin, _, xmax, _ = OpenRaster(folder / f"{name}.tif").raster.extent
+        xmin, _, xmax, _ = describe(RasterRef(str(folder / f"{name}.tif"))).extent
         for piece in result.pieces:
             assert xmin - piece.piece.length_m / 2 < piece.piece.vertices[0][0] < xmax + piece.piece.length_m / 2
         area = sum(ogr.CreateGeometryFromWkb(polygon.wkb).Area() for polygon in result.polygons)
@@ -91,7 +92,7 @@ def test_seams_without_orthoimages_count_in_the_sheet_that_holds_them(folder: Pa
     whole = scan(open_block(folder / "mosaic.tif"), seamlines=lines)
     assert math.fsum(result.seam_metres for result in results) == pytest.approx(whole.seam_metres, abs=1)
     for path, result in zip(sheets, results):
-        xmin, _, xmax, _ = OpenRaster(path).raster.extent
+        xmin, _, xmax, _ = describe(RasterRef(str(path))).extent
         assert 0 < len(result.worst) <= len(result.pieces)
         for piece in (part.piece for part in (*result.pieces, *result.stretches)):
             assert xmin - piece.length_m / 2 < piece.vertices[0][0] < xmax + piece.length_m / 2

@@ -33,10 +33,10 @@ from qgis.PyQt.QtWidgets import (
 from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.open_raster import describe_north_up
 from ...imagery.rasters import Raster, RasterRef
-from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
+from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job, Outcome
 from ...toolkit.desk.tool_dock import ToolDock, bar_level
 from ...toolkit.desk.widgets import ClippedLabel, LayerBox, vectors_without
-from ...toolkit.layers import layer_ref, mosaic_crs, transformed_point
+from ...toolkit.layers import layer_ref, mosaic_crs, transformed_place
 from ...toolkit.reference_systems import transformation
 from ...toolkit.translation import sentence, tr
 from .. import line_layers
@@ -264,7 +264,7 @@ class BarDock(ToolDock):
         if self._raster is None:
             return None
         map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
-        ends = [place for point in (start, end) if (place := transformed_point(point, map_crs, crs)) is not None]
+        ends = [place for point in (start, end) if (place := transformed_place(point, map_crs, crs)) is not None]
         if len(ends) < 2 or ends[0] == ends[1]:
             return None
         return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))
@@ -289,7 +289,7 @@ class BarDock(ToolDock):
         self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
 
     def _task_ended(self, key: object, outcome: Outcome) -> None:
-        if key == _IMAGE_KEY and outcome.end is not End.DONE:
+        if key == _IMAGE_KEY and any(outcome):
             self.image.show_layer("")  # cancelled in QGIS, or failed, which a message told
             self._image_changed()
         elif self._waiting is not None:

@@ -117,4 +117,4 @@ def follow_steps(run: Run, steps: Iterable[ScanStep], part: float) -> None:
         run.progress(part * step.share)
         if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
             told_at = time.monotonic()
-            run.doing(time_left(step.seconds_left))
+            run.feedback.setProgressText(time_left(step.seconds_left))

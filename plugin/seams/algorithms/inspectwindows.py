@@ -158,7 +158,7 @@ class InspectWindows(SeamInspectorAlgorithm):
                 run.progress(sum(verdicts.values()) / drawn.count)
         run.tell(*notices.messages())
         run.tell(*drawn.notices())
-        run.inform(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
+        run.feedback.pushInfo(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
         run.style(output_id, "windows")
         return {
             OUTPUT: output_id,

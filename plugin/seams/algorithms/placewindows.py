@@ -86,7 +86,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
             run.write(sink, [feature(fields, column_values(PLACED_COLUMNS, placed), geometry)])
             run.progress(done / len(placement.windows))
         sentence = tr("{windows} windows placed along {seams} seams.")
-        run.inform(filled(sentence, windows=len(placement.windows), seams=len(seams)))
+        run.feedback.pushInfo(filled(sentence, windows=len(placement.windows), seams=len(seams)))
         run.style(destination, "placed_windows")
         return {OUTPUT: destination}
 

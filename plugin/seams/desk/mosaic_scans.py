@@ -16,7 +16,7 @@ from qgis.PyQt.QtWidgets import QPushButton
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
-from ...toolkit.background_tasks import BackgroundTasks, End, Outcome
+from ...toolkit.background_tasks import BackgroundTasks, Outcome
 from ...toolkit.connections import Connections
 from ...toolkit.desk.tool_dock import bar_level, write_log
 from ...toolkit.layer_styles import load_style
@@ -138,7 +138,7 @@ class MosaicScans(QObject):
 
     def _ended(self, _key: object, outcome: Outcome) -> None:
         self.news = None
-        if outcome.end is End.CANCELLED:
+        if outcome.is_cancelled:
             self._tell(messages.STOPPED() if self._mosaic else SCAN_WITHOUT_MOSAIC())
         self.changed.emit()
 

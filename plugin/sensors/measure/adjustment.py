@@ -27,6 +27,7 @@ MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
 MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
 LEFT_OUT_GROUPS = 10  # of control points beside check points
 MAX_STANDARD_ERRORS = 1.0  # by which a model of fewer unknowns may be worse (the rule of Breiman et al. 1984)
+MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
@@ -97,6 +98,23 @@ class Adjustment:
     @property
     def check(self) -> Accuracy:
         return accuracy(self.residuals_px, self.residuals_m, self.points.check & ~self.blunder)
+
+
+    @property
+    def notices(self) -> list[Message]:
+        """What makes it doubtful."""
+        fitted, doubts = self.fitted, []
+        if not fitted.converged:
+            doubts.append(messages.NOT_CONVERGED(iterations=fitted.iterations))
+        if fitted.condition > MAX_CONDITION:
+            doubts.append(messages.ILL_CONDITIONED(condition=fitted.condition))
+        if self.check.count == 0:
+            doubts.append(messages.CHECK_POINTS_MISSING())
+        if names := self.points.named(self.blunder):
+            doubts.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
+        elif names := self.points.named(suspects(self)):
+            doubts.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
+        return doubts
 
 
 def accuracy(residuals_px: np.ndarray, residuals_m: np.ndarray, group: np.ndarray | slice = slice(None)) -> Accuracy:

@@ -15,13 +15,7 @@ from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent, PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import (
-    extent_on,
-    is_geographic,
-    moved_points,
-    spatial_reference,
-    transform_points,
-)
+from ...imagery.reference_systems import extent_on, is_geographic, moved_points, spatial_reference, transform_points
 from . import limits, messages
 from .points import Points, check_heights
 from .sensor_model import WGS84, Scaling, bounding_box, least_squares, reprojected

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import files_written
 from ...imagery.errors import Message, SensorModelError, SettingsError
 from ...imagery.file_identity import DataPlace, check_outputs
-from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, spatial_reference
@@ -161,8 +161,6 @@ def block_photos(
         raise SensorModelError(messages.NO_PHOTOS(folder=folder, name=exteriors.name))
     made = [(photo.ortho.name, DataPlace(str(photo.ortho))) for photo in photos.values()]
     check_outputs(made, (), map(str, (*there, *read)))
-    try:
+    with files_written(output):
         output.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=output, error=system_reason(error))) from None
     return list(photos.values()), missing

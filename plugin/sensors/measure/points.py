@@ -299,6 +299,11 @@ class ControlCoverage:
     extrapolated: float  # share of the image outside the points' outline
     outline: np.ndarray  # (k, 2) corners of the points' convex hull, px; the last is the first
 
+    @property
+    def notices(self) -> list[Message]:
+        share = self.extrapolated
+        return [messages.CONTROL_LEAVES_OPEN(share=share)] if share > MAX_EXTRAPOLATED else []
+
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """The part of an image that (n, 2) control points cover."""
@@ -310,8 +315,3 @@ def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     inside = hull.Intersection(box)  # points may be measured a little beyond the image
     within, area = inside.GetArea() if inside.GetDimension() == 2 else 0.0, box.GetArea()
     return ControlCoverage(float(np.clip(1 - within / area, 0, 1)) if area > 0 else 1.0, outline)
-
-
-def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
-    share = coverage.extrapolated
-    return [messages.CONTROL_LEAVES_OPEN(share=share)] if share > MAX_EXTRAPOLATED else []

@@ -269,9 +269,7 @@ def image_with_rpc(image: OpenRaster, rpc: Rational) -> gdal.Dataset:
     return source
 
 
-def write_image_with_rpc(
-    image: OpenRaster, rpc: Rational, path: Path, cancelled: Callable[[], bool] = lambda: False
-) -> None:
+def write_image_with_rpc(image: OpenRaster, rpc: Rational, path: Path, cancelled: Callable[[], bool]) -> None:
     """A GeoTIFF of the image with the RPC in its tags, whole or not at all. Raises RasterError, CancelledError."""
     source = image_with_rpc(image, rpc)
 

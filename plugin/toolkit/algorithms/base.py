@@ -77,8 +77,7 @@ class _Checked:
 
     def _refuse(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        common.check_values(self, self.for_check(parameters), context)
-        common.check_files(self, parameters)
+        common.check_values(self, parameters, context)
         refuse_outputs(self, parameters, context)
         run = Run(self, parameters, context)
         run.check_endings()
@@ -234,12 +233,9 @@ class ReadyModel(_Checked, QgsProcessingModelAlgorithm):
         return super()._refuse(parameters, context)
 
 
-def _translated(content: Any, is_help: bool = False) -> Any:
-    """A model's content with what people read of it translated."""
+def _translated(content: Any, is_text: bool = False) -> Any:
+    """A model's content with what people read of it translated: all of its help, and titles."""
     if isinstance(content, dict):
-        return {
-            key: _translated(value, is_help or key == _HELP) if isinstance(value, dict) or is_help or key == _HELP
-            else tr(value) if key in _TITLES and value else value
-            for key, value in content.items()
-        }  # fmt: skip
-    return tr(content) if is_help and isinstance(content, str) and content else content
+        texts = {key for key, value in content.items() if key == _HELP or (key in _TITLES and isinstance(value, str))}
+        return {key: _translated(value, is_text or key in texts) for key, value in content.items()}
+    return tr(content) if is_text and isinstance(content, str) and content else content

@@ -20,7 +20,6 @@ from qgis.core import (
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterDestination,
     QgsProperty,
-    QgsRectangle,
     QgsVectorLayer,
 )
 
@@ -93,9 +92,6 @@ class Run:
 
     def crs(self, name: str) -> QgsCoordinateReferenceSystem:
         return self._algorithm.parameterAsCrs(self.parameters, name, self.context)
-
-    def extent(self, name: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
-        return self._algorithm.parameterAsExtent(self.parameters, name, self.context, crs)
 
     def path(self, name: str) -> str:
         return str(self._algorithm.parameterAsFile(self.parameters, name, self.context))
@@ -299,14 +295,6 @@ class Run:
             if (text := str(message)) not in self._messages:
                 self.tell(message)
             self._messages.add(text)
-
-    def inform(self, text: str) -> None:
-        """Show a fact, translated already."""
-        self.feedback.pushInfo(text)
-
-    def doing(self, text: str) -> None:
-        """Say what is under way, translated already: it stands beside the progress."""
-        self.feedback.setProgressText(text)
 
     def is_cancelled(self) -> bool:
         return bool(self.feedback.isCanceled())

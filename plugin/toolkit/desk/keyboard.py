@@ -10,8 +10,6 @@ from qgis.PyQt.QtCore import QObject, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
 
-from .widgets import single_shot
-
 _TYPED_IN = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox, QComboBox)
 
 
@@ -65,15 +63,14 @@ class HeldKeys(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._pressed: dict[int, float] = {}  # when each that is down was pressed
-        self._up: dict[int, tuple[float, QTimer]] = {}  # when each was released that may be down again at once
+        self._up: dict[int, float] = {}  # when each was released that may be down again at once
 
     def press(self, event: QKeyEvent) -> bool:
         """Whether the key went down now, and is not repeated."""
         key = event.key()
-        if key in self._up and time.monotonic() - self._up[key][0] > _REPEATED_MS / 1000:
+        if key in self._up and time.monotonic() - self._up[key] > _REPEATED_MS / 1000:
             self._let_go(key)  # the timer waits behind what keeps the interface busy
-        is_repeated = event.isAutoRepeat() or key in self._up
-        self._stop(key)
+        is_repeated = self._up.pop(key, None) is not None or event.isAutoRepeat()
         if not is_repeated:
             if not self._pressed:
                 QApplication.instance().applicationStateChanged.connect(self._leave)
@@ -84,16 +81,13 @@ class HeldKeys(QObject):
         """Whether it is a key that was pressed here."""
         key = event.key()
         if key in self._pressed and not event.isAutoRepeat():
-            self._stop(key)
-            timer = single_shot(self, partial(self._let_go, key), _REPEATED_MS)
-            timer.setTimerType(Qt.TimerType.PreciseTimer)
-            self._up[key] = time.monotonic(), timer
-            timer.start()
+            self._up[key] = time.monotonic()
+            QTimer.singleShot(_REPEATED_MS, Qt.TimerType.PreciseTimer, partial(self._stay_up, key, self._up[key]))
         return key in self._pressed
 
     def forget(self, key: int) -> None:
         """The key is somebody else's, or of no more interest."""
-        self._stop(key)
+        self._up.pop(key, None)
         if self._pressed.pop(key, None) is not None and not self._pressed:
             QApplication.instance().applicationStateChanged.disconnect(self._leave)
 
@@ -102,15 +96,12 @@ class HeldKeys(QObject):
         for key in list(self._pressed):
             self.forget(key)
 
-    def _stop(self, key: int) -> None:
-        if key in self._up:
-            _, timer = self._up.pop(key)
-            timer.stop()
-            timer.deleteLater()
+    def _stay_up(self, key: int, since: float) -> None:
+        if self._up.get(key) == since:
+            self._let_go(key)
 
     def _let_go(self, key: int) -> None:
-        until = self._up[key][0] if key in self._up else time.monotonic()
-        seconds = until - self._pressed[key]
+        seconds = self._up.get(key, time.monotonic()) - self._pressed[key]
         self.forget(key)
         self.released.emit(key, seconds)
 

@@ -2,18 +2,9 @@
 a chart. Without matplotlib."""
 from __future__ import annotations
 
+from qgis.PyQt import QtWidgets
 from qgis.PyQt.QtCore import QEvent, QModelIndex, Qt
 from qgis.PyQt.QtGui import QColor, QFontInfo, QIcon, QPalette, QPixmap, QShowEvent
-from qgis.PyQt.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QStackedWidget,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QVBoxLayout,
-    QWidget,
-)
 
 from ..charts.chart_style import DARK, PAPER, ChartStyle
 from .widgets import single_shot
@@ -21,13 +12,13 @@ from .widgets import single_shot
 _LEAST_CONTRAST = 3.0  # WCAG 2.1, success criteria 1.4.3 and 1.4.11: large text, and graphics that mean something
 
 
-def readable_palette(widget: QWidget) -> QPalette:
+def readable_palette(widget: QtWidgets.QWidget) -> QPalette:
     """The palette of a widget, or of the nearest one around it whose text can be read.
 
     Themes such as Night Mapping colour QGIS's own kinds of widgets by style sheet, and leave dark text on nothing in
     the palette of the others. Ask while painting: themes change, and a new widget has its theme only when it is shown.
     """
-    around: QWidget | None = widget
+    around: QtWidgets.QWidget | None = widget
     while around is not None:
         around.ensurePolished()
         palette = around.palette()
@@ -38,12 +29,12 @@ def readable_palette(widget: QWidget) -> QPalette:
     return widget.palette()
 
 
-class ReadableItems(QStyledItemDelegate):
+class ReadableItems(QtWidgets.QStyledItemDelegate):
     """Draws items without what themes do to them under the mouse: Night Mapping writes them dark on grey there."""
 
-    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+    def initStyleOption(self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex) -> None:
         super().initStyleOption(option, index)
-        option.state &= ~QStyle.StateFlag.State_MouseOver
+        option.state &= ~QtWidgets.QStyle.StateFlag.State_MouseOver
 
 
 def plain_icon(*pixmaps: QPixmap) -> QIcon:
@@ -78,7 +69,7 @@ _FONT_PX = 12  # of the interface on an ordinary screen
 _DARKEST_LIGHT = 128  # of 255: a background darker than this is a dark theme
 
 
-def chart_style(widget: QWidget) -> ChartStyle:
+def chart_style(widget: QtWidgets.QWidget) -> ChartStyle:
     """The colours of a chart in a widget, its lines as heavy as the widget's font is large."""
     palette, scale = readable_palette(widget), QFontInfo(widget.font()).pixelSize() / _FONT_PX
     back, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
@@ -90,13 +81,13 @@ def chart_style(widget: QWidget) -> ChartStyle:
 _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
 
 
-class ChartPanel(QWidget):
+class ChartPanel(QtWidgets.QWidget):
     """A chart or the words in its place; below it words, and a button. Looks anew once it comes into sight."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._timer = single_shot(self, self._refresh)
-        self._text = QLabel()
+        self._text = QtWidgets.QLabel()
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._text.setWordWrap(True)
@@ -105,7 +96,7 @@ class ChartPanel(QWidget):
         self._text.setForegroundRole(QPalette.ColorRole.Text)
         self._text.setMargin(self.fontMetrics().height())
         self._text.setMinimumSize(1, 1)
-        self._pages = QStackedWidget()
+        self._pages = QtWidgets.QStackedWidget()
         self._pages.addWidget(self._text)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -117,8 +108,8 @@ class ChartPanel(QWidget):
         if event.type() in _RESTYLING:
             self._refresh_now()
 
-    def _lay_out(self, words: QWidget, button: QWidget) -> None:
-        layout, below = QVBoxLayout(self), QHBoxLayout()
+    def _lay_out(self, words: QtWidgets.QWidget, button: QtWidgets.QWidget) -> None:
+        layout, below = QtWidgets.QVBoxLayout(self), QtWidgets.QHBoxLayout()
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(self.fontMetrics().height() // 5)
         layout.addWidget(self._pages, 1)

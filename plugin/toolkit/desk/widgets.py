@@ -4,6 +4,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
+from itertools import chain
 from typing import Any
 
 from qgis.core import QgsProject, QgsProviderRegistry, QgsVectorLayer
@@ -11,22 +12,6 @@ from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsMapLayerComboBox
 from qgis.PyQt import QtGui, QtWidgets
 from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QDropEvent, QFontMetrics, QMouseEvent, QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import (
-    QAbstractSpinBox,
-    QAction,
-    QComboBox,
-    QFrame,
-    QLabel,
-    QMessageBox,
-    QScrollArea,
-    QSizePolicy,
-    QStyle,
-    QTabBar,
-    QTabWidget,
-    QToolBar,
-    QToolTip,
-    QWidget,
-)
 
 from ..translation import filled, tr
 from ..version_differences import layer_filters
@@ -36,16 +21,16 @@ QUndoCommand: Any = getattr(QtWidgets, "QUndoCommand", None) or QtGui.QUndoComma
 """Qt 5 has both among its widgets, Qt 6 does not."""
 
 
-def is_confirmed(widget: QWidget, question: str) -> bool:
+def is_confirmed(widget: QtWidgets.QWidget, question: str) -> bool:
     """Whether the user says yes; no is what Enter says."""
-    yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
-    return bool(QMessageBox.question(widget, tr("Seam Inspector"), question, yes | no, no) == yes)
+    yes, no = QtWidgets.QMessageBox.StandardButton.Yes, QtWidgets.QMessageBox.StandardButton.No
+    return bool(QtWidgets.QMessageBox.question(widget, tr("Seam Inspector"), question, yes | no, no) == yes)
 
 
 _TIP = "seam_inspector_tip"
 
 
-def allow(action: QAction, why_not: str = "") -> None:
+def allow(action: QtWidgets.QAction, why_not: str = "") -> None:
     """Enable an action; with a reason against it, grey it and hang the reason on its tooltip."""
     if action.property(_TIP) is None:
         action.setProperty(_TIP, action.toolTip())
@@ -78,21 +63,21 @@ def plain_tip(text: str) -> str:
 _WRAPPED = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter) | int(Qt.TextFlag.TextWordWrap)
 
 
-class ClippedLabel(QLabel):
+class ClippedLabel(QtWidgets.QLabel):
     """Plain text on at most so many lines, as high as they are whatever it says, so that nothing around it jumps;
     of a range of lines as high as it needs.
 
     What does not fit ends in an ellipsis; the tooltip tells all of it, which a click shows at once.
     """
 
-    def __init__(self, lines: int, parent: QWidget | None = None) -> None:
+    def __init__(self, lines: int, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._fewest = self._most = lines
         self._text = ""
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
         self.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
         self._fit()
 
     def text(self) -> str:
@@ -118,7 +103,7 @@ class ClippedLabel(QLabel):
             self._fit()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        QToolTip.showText(self.mapToGlobal(event.pos()), self.toolTip(), self)
+        QtWidgets.QToolTip.showText(self.mapToGlobal(event.pos()), self.toolTip(), self)
 
     def _fit(self) -> None:
         """Take as many lines as the text needs, and as there may be, and show what they have room for."""
@@ -158,12 +143,12 @@ def _height(metrics: QFontMetrics, lines: int) -> int:
 _STYLES = Qt.ToolButtonStyle
 
 
-class FittingToolBar(QToolBar):
+class FittingToolBar(QtWidgets.QToolBar):
     """A tool bar that fits: of the ``worded`` actions the last ones lose their icons first, and then their words, for
     an icon; the others are icons throughout."""
 
-    def __init__(self, actions: Sequence[QAction], worded: Sequence[QAction], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, actions: Sequence[QtWidgets.QAction], worded: Sequence[QtWidgets.QAction]) -> None:
+        super().__init__()
         side = self.fontMetrics().height() + 3
         self.setIconSize(QSize(side, side))
         self.setToolButtonStyle(_STYLES.ToolButtonIconOnly)
@@ -198,10 +183,11 @@ class FittingToolBar(QToolBar):
                 button.setToolButtonStyle(style)
 
 
+_FIELDS = QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox
 _FEWEST_LINES = 12  # of the font, that a dock can be made as low as
 
 
-class CornerTabs(QTabWidget):
+class CornerTabs(QtWidgets.QTabWidget):
     """Tabs whose bar is no lower than the widget in their corner, which Qt cuts to the bar's height."""
 
     def __init__(self) -> None:
@@ -209,29 +195,29 @@ class CornerTabs(QTabWidget):
         self.setTabBar(_CornerTabBar(self))
 
 
-class _CornerTabBar(QTabBar):
+class _CornerTabBar(QtWidgets.QTabBar):
     def tabSizeHint(self, index: int) -> QSize:
         size, tabs = super().tabSizeHint(index), self.parentWidget()
-        corner = tabs.cornerWidget() if isinstance(tabs, QTabWidget) else None
+        corner = tabs.cornerWidget() if isinstance(tabs, QtWidgets.QTabWidget) else None
         if corner is None:
             return size
-        overlap = self.style().pixelMetric(QStyle.PixelMetric.PM_TabBarBaseOverlap, None, self)
+        overlap = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_TabBarBaseOverlap, None, self)
         return size.expandedTo(QSize(0, corner.sizeHint().height() + overlap))
 
 
-class ScrollBody(QScrollArea):
+class ScrollBody(QtWidgets.QScrollArea):
     """Scrolls up and down only; never narrower than its content. The wheel leaves unfocused fields as they are."""
 
-    def __init__(self, content: QWidget, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setFrameShape(QFrame.Shape.NoFrame)
+    def __init__(self, content: QtWidgets.QWidget) -> None:
+        super().__init__()
+        self.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidget(content)
         content.setAutoFillBackground(False)
         self.viewport().setAutoFillBackground(False)
-        for field in (*content.findChildren(QComboBox), *content.findChildren(QAbstractSpinBox)):
+        for field in chain(*map(content.findChildren, _FIELDS)):
             field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # not by the wheel
             field.installEventFilter(self)
         content.installEventFilter(self)
@@ -239,14 +225,14 @@ class ScrollBody(QScrollArea):
     def minimumSizeHint(self) -> QSize:
         least = self.widget().minimumSizeHint()
         lines = _FEWEST_LINES * self.fontMetrics().height()
-        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent, None, self)
+        bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent, None, self)
         return QSize(least.width() + (bar if self.verticalScrollBar().isVisible() else 0), min(least.height(), lines))
 
     def sizeHint(self) -> QSize:
         return self.widget().sizeHint()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        is_field = isinstance(watched, (QComboBox, QAbstractSpinBox))  # and not the scroll bar, which Qt has us filter
+        is_field = isinstance(watched, _FIELDS)  # and not the scroll bar, which Qt has us filter
         if is_field and event.type() == QEvent.Type.Wheel and not watched.hasFocus():
             event.ignore()
             return True
@@ -258,7 +244,7 @@ class ScrollBody(QScrollArea):
 class SummaryBox(QgsCollapsibleGroupBoxBasic):
     """A collapsible box whose title is cut to its width instead of widening it."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._name = self._rest = ""
         self._is_unapplied = False
@@ -332,7 +318,7 @@ class LayerBox(QgsMapLayerComboBox):
 
     chosen = pyqtSignal(str)  # the operator chose a layer, by its id, or none
 
-    def __init__(self, filters: Any, nothing: str, parent: QWidget | None = None) -> None:
+    def __init__(self, filters: Any, nothing: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFilters(layer_filters(filters))
         self.setAllowEmptyLayer(True, nothing)

@@ -19,7 +19,7 @@ from seam_inspector.plugin.sensors.measure.adjustment import (
     recommend,
 )
 from seam_inspector.plugin.sensors.measure.heights import is_flat
-from seam_inspector.plugin.sensors.measure.points import choose_check_points, control_coverage, coverage_warnings
+from seam_inspector.plugin.sensors.measure.points import choose_check_points, control_coverage
 from seam_inspector.plugin.sensors.measure.pushbroom import geocentric, unit
 from seam_inspector.plugin.sensors.measure.registry import ModelRequest
 
@@ -160,7 +160,7 @@ def test_layout_says_what_is_extrapolated() -> None:
     square = np.array([[0, 0], [100, 0], [100, 50], [0, 50], [50, 25.0]])
     line = np.column_stack([np.linspace(0, 100, 9), np.linspace(0, 50, 9) + np.tile([0.1, -0.1, 0], 3)])
     for control, share in ((square, ""), (square / 4, "94%"), (line, "100%")):
-        said = coverage_warnings(control_coverage(control, (0.0, 0.0, 100.0, 50.0)))
+        said = control_coverage(control, (0.0, 0.0, 100.0, 50.0)).notices
         assert [share in str(warning) for warning in said] == [True] * bool(share)
     assert len(control_coverage(square, (0.0, 0.0, 100.0, 50.0)).outline) == 5
 

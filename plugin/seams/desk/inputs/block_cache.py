@@ -236,7 +236,7 @@ class BlockCache(QObject):
     def _ended(self, key: object, outcome: Outcome) -> None:
         """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
         if key == self._turn and self._unopened.level is WARNING and self._opened is None:
-            self._take(self._turn, outcome.message)
+            self._take(self._turn, outcome.failure)
 
     def seamlines(self, block: Block) -> Iterator[bytes | None] | None:
         """The seamlines' geometries in the mosaic's reference system, to be read in any thread."""

@@ -27,7 +27,7 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.seam_totals import profile_of
 from ....toolkit.connections import Connections
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
-from ....toolkit.layers import layer_path, transformed_point
+from ....toolkit.layers import layer_path, transformed_place
 from ....toolkit.table_fields import text
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
@@ -222,7 +222,7 @@ class WindowTool(DrawingTool):
         layer = self._session.mosaic_layer()
         if layer is None:
             return None
-        place = transformed_point(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
+        place = transformed_place(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
         return (place.x(), place.y()) if place is not None else None
 
 
@@ -231,7 +231,7 @@ def reach_of(canvas: QgsMapCanvas, point: QgsPointXY, pixels: int, crs: QgsCoord
     has no such place."""
     map_crs = canvas.mapSettings().destinationCrs()
     beside = QgsPointXY(point.x() + pixels * canvas.logicalDpiX() / 96 * canvas.mapUnitsPerPixel(), point.y())
-    here, there = (transformed_point(place, map_crs, crs) for place in (point, beside))
+    here, there = (transformed_place(place, map_crs, crs) for place in (point, beside))
     return 0.0 if here is None or there is None else float(here.distance(there))
 
 
@@ -259,7 +259,7 @@ def window_under(
     windows: Iterable[WindowRecord], layer: QgsVectorLayer, point: QgsPointXY, crs: QgsCoordinateReferenceSystem
 ) -> WindowRecord | None:
     """The window of a layer under a point; of several the one whose middle is nearest. None where there is none."""
-    here = transformed_point(point, crs, layer.crs())
+    here = transformed_place(point, crs, layer.crs())
     if here is None:
         return None
     under = [row for row in windows if _holds(row, here.x(), here.y())]
@@ -349,7 +349,7 @@ class ClickedPieces(QObject):
         point = self._canvas.getCoordinateTransform().toMapCoordinates(place)
         clicked, block, mosaic = self._piece_at(point), self._session.block(), self._session.mosaic_layer()
         map_crs = self._canvas.mapSettings().destinationCrs()
-        here = None if mosaic is None else transformed_point(point, map_crs, mosaic.crs())
+        here = None if mosaic is None else transformed_place(point, map_crs, mosaic.crs())
         if clicked is None or block is None or here is None:
             self.leave()
             return
@@ -384,7 +384,7 @@ class ClickedPieces(QObject):
         if not shown:
             return None
         layer, map_crs = shown[0], self._canvas.mapSettings().destinationCrs()
-        here = transformed_point(point, map_crs, layer.crs())
+        here = transformed_place(point, map_crs, layer.crs())
         if here is None:
             return None
         reach, clicked = reach_of(self._canvas, point, _REACH_PX, layer.crs()), QgsGeometry.fromPointXY(here)

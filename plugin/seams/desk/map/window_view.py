@@ -25,7 +25,7 @@ from qgis.PyQt.QtWidgets import QLabel
 from ....imagery.errors import WindowError
 from ....imagery.grids import Grid
 from ....toolkit.connections import Connections
-from ....toolkit.layers import transformed_box
+from ....toolkit.layers import transformed_place
 from ....toolkit.reference_systems import transformation
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ class WindowView:
         self._go(box.buffered(max(box.width(), box.height()) / 10), layer.crs())
 
     def _go(self, box: QgsRectangle, crs: QgsCoordinateReferenceSystem) -> None:
-        shown = transformed_box(box, crs, self._canvas.mapSettings().destinationCrs())
+        shown = transformed_place(box, crs, self._canvas.mapSettings().destinationCrs())
         if shown is not None:
             self._canvas.setExtent(shown)
             self._canvas.refresh()
@@ -115,7 +115,7 @@ class WindowView:
     def _shows(self, fid: int, least_pixels: float) -> bool:
         """``least_pixels`` of the screen for one of the image."""
         grid, place, settings = self._session.mosaic_grid(), self._place(fid), self._canvas.mapSettings()
-        view = transformed_box(settings.visibleExtent(), settings.destinationCrs(), self._crs())
+        view = transformed_place(settings.visibleExtent(), settings.destinationCrs(), self._crs())
         if grid is None or place is None or view is None:
             return True  # nothing leads there
         shown, least = view.intersect(place), _LEAST_SHOWN * min(_area(place), _area(view))
@@ -125,7 +125,7 @@ class WindowView:
         row, layer = self._session.row(fid), self._session.window_layer()
         if row is None or row.extent is None or layer is None:
             return None
-        return transformed_box(QgsRectangle(*row.extent), layer.crs(), self._crs())
+        return transformed_place(QgsRectangle(*row.extent), layer.crs(), self._crs())
 
     def _crs(self) -> QgsCoordinateReferenceSystem:
         layer = self._session.mosaic_layer()

@@ -50,18 +50,15 @@ def given_seams(
     meant = meant_sources(names - {""}, [(path,) for path in paths])
     ambiguous = {name for name, places in meant.items() if len(places) > 1}
     pieces = gathered(held, fields, grid, ambiguous)
-    network = _Network(grid)
     owners, sides = [owner for _, owner in pieces.rings], [of_line for _, of_line in pieces.lines]
-    if owners:
-        network.add_polygons([ring for ring, _ in pieces.rings], owners)
-    if sides:
-        network.add_lines([line for line, _ in pieces.lines], sides)
+    networks = [_of_polygons([ring for ring, _ in pieces.rings], owners, grid)] if owners else []
+    networks += [_of_lines([line for line, _ in pieces.lines], sides, grid)] if sides else []
     named = any(map(owner_name, chain(owners, *sides)))
 
     def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
         return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
 
-    seams = sorted(network.seams(), key=longest_first)
+    seams = sorted(chain.from_iterable(_seams(network, grid) for network in networks), key=longest_first)
     if not seams and not sides and len({*owners}) == 1:
         raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
     if not seams:
@@ -84,77 +81,64 @@ def given_seams(
     return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices), dates)
 
 
-class _Network:
-    """Straight pieces between common nodes, each with what lies on either side of it."""
+_Network = tuple[np.ndarray, np.ndarray, np.ndarray, list[str]]
+"""Nodes in pixels from the mosaic's corner; pairs of them that straight pieces join, (n, 2), the lower number first and
+ascending; what lies left and right of each, (n, 2); and the names of that."""
 
-    def __init__(self, grid: Grid) -> None:
-        xmin, ymin, _, _ = grid.extent
-        self._origin, self._size = complex(xmin, ymin), grid.pixel_width
-        self._parts: list[tuple[np.ndarray, np.ndarray, np.ndarray, list[str]]] = []
 
-    def add_polygons(self, rings: Sequence[np.ndarray], owners: Sequence[str]) -> None:
-        """The borders that have one owner on their left and another on their right."""
-        names, owner = np.unique(owners, return_inverse=True)
-        ends, ring = seamlines.line_pieces(rings)
-        shift, ends = self._in_pixels(ends)
-        nodes, pairs, low, high = seamlines.borders(ends, owner[ring])
-        # Two owners on one side overlap there: the line is inside one of them, and no border.
-        border = (low == high).all(axis=0) & (low[0] != low[1])
-        self._parts.append((nodes + shift, pairs[border], low[:, border].T, [str(name) for name in names]))
+def _of_polygons(rings: Sequence[np.ndarray], owners: Sequence[str], grid: Grid) -> _Network:
+    """The borders that have one owner on their left and another on their right."""
+    names, owner = np.unique(owners, return_inverse=True)
+    ends, ring = seamlines.line_pieces(rings)
+    shift, ends = _in_pixels(ends, grid)
+    nodes, pairs, low, high = seamlines.borders(ends, owner[ring])
+    # Two owners on one side overlap there: the line is inside one of them, and no border.
+    border = (low == high).all(axis=0) & (low[0] != low[1])
+    return nodes + shift, pairs[border], low[:, border].T, [str(name) for name in names]
 
-    def add_lines(self, lines: Sequence[np.ndarray], sides: Sequence[tuple[str, str]]) -> None:
-        """Lines, those up to half a pixel apart as one."""
-        names, side = np.unique(np.array(sides), return_inverse=True)
-        side = side.reshape(-1, 2)
-        ends, line = seamlines.line_pieces(lines)
-        shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
-        pairs, pair = seamlines.undirected(edges, len(nodes))
-        first = np.full(len(pairs), len(edges))
-        np.minimum.at(first, pair, np.arange(len(edges)))
-        of_pair = side[line[piece[first]]]
-        backward = edges[first, 0] > edges[first, 1]
-        of_pair[backward] = of_pair[backward, ::-1]
-        self._parts.append((nodes + shift, pairs, of_pair, [str(name) for name in names]))
 
-    def seams(self) -> Iterator[SidedSeam]:
-        """The longest paths through pieces that part the same two owners."""
-        for nodes, pairs, sides, names in self._parts:
-            group = sides.min(axis=1) * len(names) + sides.max(axis=1)
-            order = np.argsort(group, kind="stable")
-            for chosen in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
-                if len(chosen):
-                    yield from self._of_group(nodes, pairs[chosen], sides[chosen], names)
+def _of_lines(lines: Sequence[np.ndarray], sides: Sequence[tuple[str, str]], grid: Grid) -> _Network:
+    """Lines, those up to half a pixel apart as one."""
+    names, side = np.unique(np.array(sides), return_inverse=True)
+    ends, line = seamlines.line_pieces(lines)
+    shift, ends = _in_pixels(ends, grid)
+    nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
+    pairs, pair = seamlines.undirected(edges, len(nodes))
+    _, first = np.unique(pair, return_index=True)
+    of_pair = side.reshape(-1, 2)[line[piece[first]]]
+    backward = edges[first, 0] > edges[first, 1]
+    of_pair[backward] = of_pair[backward, ::-1]
+    return nodes + shift, pairs, of_pair, [str(name) for name in names]
 
-    def _of_group(
-        self, nodes: np.ndarray, pairs: np.ndarray, sides: np.ndarray, names: Sequence[str]
-    ) -> Iterator[SidedSeam]:
-        used, local = np.unique(pairs, return_inverse=True)
-        local = local.reshape(-1, 2)
-        places = nodes[used]  # ascending, as all nodes are
-        key = local.min(axis=1) * len(used) + local.max(axis=1)
-        order = np.argsort(key)
-        key, sides = key[order], np.where((local[:, 0] < local[:, 1])[:, np.newaxis], sides, sides[:, ::-1])[order]
-        for path in seamlines.joined(places, local):
-            seam = seamlines.straightened(seamlines.directed(path))
-            if not abs(np.diff(seam)).any():
-                continue  # a loop of a pixel
-            walk = np.searchsorted(places, seamlines.directed(path))
-            low, high = np.minimum(walk[:-1], walk[1:]), np.maximum(walk[:-1], walk[1:])
-            edge_sides = sides[np.searchsorted(key, low * len(used) + high)]
-            edge_sides = np.where((walk[:-1] < walk[1:])[:, np.newaxis], edge_sides, edge_sides[:, ::-1])
+
+def _seams(network: _Network, grid: Grid) -> Iterator[SidedSeam]:
+    """The longest paths through pieces that part the same two owners."""
+    nodes, pairs, sides, names = network
+    group = sides.min(axis=1) * len(names) + sides.max(axis=1)
+    order = np.argsort(group, kind="stable")
+    for chosen in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
+        used, local = np.unique(pairs[chosen], return_inverse=True)
+        local, places, of_pair = local.reshape(-1, 2), nodes[used], sides[chosen]
+        key = local @ (len(used), 1)
+        for seam, walk in seamlines.seam_paths(places, local):
+            low, high = np.sort([walk[:-1], walk[1:]], axis=0)
+            edge_sides = of_pair[np.searchsorted(key, low * len(used) + high)]
+            edge_sides = np.where((walk[:-1] == low)[:, np.newaxis], edge_sides, edge_sides[:, ::-1])
             first, other = int(edge_sides[0].min()), int(edge_sides[0].max())
             weight = abs(np.diff(places[walk]))
             is_left = weight[edge_sides[:, 0] == first].sum() * 2 >= weight.sum()
             left, right = (first, other) if is_left else (other, first)
             named = (owner_name(names[side]) or None for side in (left, right))
-            yield SidedSeam(seamlines.as_xy(seam * self._size + self._origin), *named)
+            yield SidedSeam(seamlines.as_xy(seam * grid.pixel_width + _corner(grid)), *named)
 
-    def _in_pixels(self, ends: np.ndarray) -> tuple[complex, np.ndarray]:
-        """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""
-        ends = (ends - self._origin) / self._size
-        width, height = np.ptp(ends.real), np.ptp(ends.imag)
-        if max(width, height) > seamlines.MAX_EXTENT_PX:
-            raise SeamlineError(imagery_messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
-        shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
-        return shift, ends - shift
+
+def _in_pixels(ends: np.ndarray, grid: Grid) -> tuple[complex, np.ndarray]:
+    """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""
+    ends = (ends - _corner(grid)) / grid.pixel_width
+    seamlines.check_extent(ends)
+    shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
+    return shift, ends - shift
+
+
+def _corner(grid: Grid) -> complex:
+    return complex(*grid.extent[:2])
