@@ -27,12 +27,11 @@ from ....imagery.records import Column
 from .. import messages
 from ..blocks.block_grid import BlockKey, ScanSettings
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanJournal, ScanStep, held, journal_beside
-from ..scan.piece_sums import around_pieces
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
 from ..seamlines.seam_features import source_numbers
-from ..seamlines.seam_pieces import PieceIndex, SidedSeam
+from ..seamlines.seam_pieces import PieceIndex, SidedSeam, around_pieces
 from ..source_images import Source
 from ..workers import Workers
 from .failed_runs import SeamRun, part_of, seam_runs

@@ -14,7 +14,7 @@ from ..blocks.block_grid import BLOCK_PX, UNITS, BlockKey, blocks_near, place_of
 from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
-from ..seamlines.seam_pieces import PieceIndex
+from ..seamlines.seam_pieces import PieceIndex, around_pieces
 from ..workers import Workers, measuring
 from .block_runs import BlockLook, JournaledBlocks, ScanJournal, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
@@ -27,7 +27,7 @@ from .lone_stretches import (
     lone_cells,
     lone_stretches,
 )
-from .piece_sums import NODATA, LossRaster, around_pieces, blocks_of, by_blocks, empty_cells, loss_raster
+from .piece_sums import NODATA, LossRaster, blocks_of, by_blocks, empty_cells, loss_raster
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 

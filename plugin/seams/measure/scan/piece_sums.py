@@ -34,7 +34,7 @@ from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..seam_cells import NONE
-from ..seamlines.seam_pieces import PieceIndex, SeamPiece, sources_beside
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, around_pieces, sources_beside
 from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..workers import measuring
 from .block_runs import block_labels, global_numbers, whole_block
@@ -291,14 +291,6 @@ def without_even(strips: Sequence[StripProfile], grain: np.ndarray, grey: np.nda
     are those of rounding. ``grain``, ``grey``: (pieces,) as ``PieceFigures`` has them."""
     is_even = grain <= ROUNDING * np.abs(grey)  # never where that is not known
     return [replace(strip, profile=None) if even else strip for strip, even in zip(strips, is_even.tolist())]
-
-
-def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
-    """The pixels within reach of them."""
-    places = np.concatenate([grid.to_pixels(piece.vertices) for piece in pieces])
-    left, top = np.floor(places.min(axis=0) - reach_px).astype(int).tolist()
-    right, bottom = np.ceil(places.max(axis=0) + reach_px).astype(int).tolist()
-    return PixelWindow(left, top, right - left, bottom - top)
 
 
 def blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:

@@ -101,6 +101,14 @@ def joined_pieces(pieces: Sequence[SeamPiece]) -> SeamPiece:
     return replace(first, vertices=vertices, length_m=sum(piece.length_m for piece in pieces))
 
 
+def around_pieces(pieces: Iterable[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
+    """The pixels within reach of some pieces."""
+    places = np.concatenate([grid.to_pixels(piece.vertices) for piece in pieces])
+    left, top = np.floor(places.min(axis=0) - reach_px).astype(int).tolist()
+    right, bottom = np.ceil(places.max(axis=0) + reach_px).astype(int).tolist()
+    return PixelWindow(left, top, right - left, bottom - top)
+
+
 def cut_off(seams: Iterable[SidedSeam], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
     """How many metres of the seams lie outside the mosaic; None where that is less than a metre."""
     scale = np.array([grid.metres_x, grid.metres_y])
