@@ -9,7 +9,6 @@ from scipy import ndimage
 
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
-from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, filled_in, narrowed, square_shares, square_sums
 from ..following.expected_mosaic import Closeness, expected_mosaic
 from ..following.followed_source import HIGH_PASS_PX
@@ -22,7 +21,7 @@ from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX, ScanSettings
-from .block_pixels import JUDGED, BlockPixels, Planes
+from .block_pixels import BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
@@ -58,10 +57,18 @@ def measure_part(
     planes = pixels.part(around, numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     given = tuple(planes.sources)
-    known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
-    if not given or known[inside].mean() < MIN_VALID:
-        return _nothing(window, levels, known[inside])
-    image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
+    image = planes.mosaic
+    known = np.ones(image.plane.shape, bool) if image.valid is None else image.valid
+    valid = known[inside]
+    if not given or valid.mean() < MIN_VALID:
+        nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
+        planes_by_name = {
+            "labels": np.full(valid[SAMPLED].shape, UNKNOWN, np.uint8), "valid": valid[SAMPLED], "mixture": nothing,
+            "grey": nothing, "grain": np.full_like(nothing, np.nan),
+        }
+        return DensePart(
+            window, planes_by_name, CellTable.empty(levels), MixtureTable.empty(levels), float(valid.any())
+        )
     filters = known_filters(taps, given)
     if filters is not None and filters.taps:
         followed = follow_given(image, list(planes.sources.values()), filters)
@@ -80,11 +87,11 @@ def measure_part(
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
     planes_by_name = {
-        "labels": labels[inside][SAMPLED], "valid": known[inside][SAMPLED],
+        "labels": labels[inside][SAMPLED], "valid": valid[SAMPLED],
         "mixture": square_shares(mixed[inside], CELL_PX), "grey": square_shares(image.plane[inside], CELL_PX),
         "grain": _grain(followed, known)[place],
     }
-    unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside])
+    unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & valid) / np.count_nonzero(valid)
     tables = cells.within(place).moved(*first), beside.within(place).moved(*first)
     return DensePart(window, planes_by_name, *tables, unexplained)
 
@@ -116,16 +123,6 @@ def guesses(labels: np.ndarray, likely: np.ndarray) -> np.ndarray:
     return enlarged(unsure, LABEL_PX)
 
 
-def _nothing(window: PixelWindow, levels: int, known: np.ndarray) -> DensePart:
-    nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    valid = known[SAMPLED]
-    planes = {
-        "labels": np.full(valid.shape, UNKNOWN, np.uint8), "valid": valid, "mixture": nothing, "grey": nothing,
-        "grain": np.full_like(nothing, np.nan),
-    }
-    return DensePart(window, planes, CellTable.empty(levels), MixtureTable.empty(levels), float(known.any()))
-
-
 BLOCK_MARGIN_PX = 32
 """Around a block: the finest details of its outermost cells need to know so much."""
 
@@ -152,8 +149,8 @@ def measure_plain(
             labels[labels == number] = UNKNOWN
         elif (valid := planes.sources[number].valid) is not None:
             labels[(labels == number) & ~valid] = UNKNOWN
-    if planes.mosaic_valid is not None:
-        labels[~planes.mosaic_valid] = UNKNOWN
+    if planes.mosaic.valid is not None:
+        labels[~planes.mosaic.valid] = UNKNOWN
     made, gain = _composite(planes, labels, list(planes.sources), look.learned)
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
     known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
@@ -161,7 +158,7 @@ def measure_plain(
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
     finest = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
     # One by one: arrays of more than 32 MB would be taken from the system every time.
-    m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic, made))
+    m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic.plane, made))
     sums = np.stack([
         np.sum([square_sums(*both, CELL_PX // 2) for both in zip(a, b)], axis=0)[np.newaxis]
         for a, b in ((m, m), (c, c), (m, c))
@@ -180,8 +177,7 @@ def _composite(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The sources as sharp as the mosaic shows them, the mosaic itself where none is followed; and by cells, without
     the margin, what their detail is multiplied by in its tones."""
-    made = planes.mosaic.copy()
-    means = square_means(planes.mosaic)
+    made, means = planes.mosaic.plane.copy(), square_means(planes.mosaic.plane)
     gain = np.ones(means.shape, np.float32)
     for number in numbers:
         followed = labels == number

@@ -15,6 +15,7 @@ from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
+from ..source_images import even_places
 
 USUAL_RANGE = (32.0, 70_000.0)
 """Between the outermost percentiles: values of less or more are brought to 8 bit, by a factor that is the same for
@@ -58,13 +59,9 @@ def clip_factor(clip: Clip, mosaic: Raster) -> float:
 def _sampled_factor(raster: Raster, changed: float) -> float:
     """``changed``: when the file was, as another one may be there under its name."""
     try:
-        opened = open_raster(raster.ref)
-        samples = []
-        width, height = min(_SIDE_PX, raster.columns), min(_SIDE_PX, raster.rows)
-        for row in np.linspace(0, raster.rows - height, _SAMPLES).astype(int).tolist():
-            for column in np.linspace(0, raster.columns - width, _SAMPLES).astype(int).tolist():
-                block = opened.read(PixelWindow(column, row, width, height))
-                samples.append(block.bands[:3, block.valid].ravel())
+        opened, whole = open_raster(raster.ref), PixelWindow(0, 0, raster.columns, raster.rows)
+        blocks = map(opened.read, even_places(whole, _SIDE_PX, (_SAMPLES, _SAMPLES)))
+        samples = [block.bands[:3, block.valid].ravel() for block in blocks]
     except RasterError:
         return 1.0  # the scan says so where it needs it
     return factor_of(np.concatenate(samples))

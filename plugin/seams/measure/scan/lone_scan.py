@@ -72,7 +72,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
             notices.append(error.message.as_warning())
             unread.append(window)
         else:
-            clip, judged = pixels.held[0], pixels.part(around, ()).mosaic
+            clip, judged = pixels.held[0], pixels.part(around, ()).mosaic.plane
             image = ComparedImage(
                 clip.bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid, judged=judged
             )
