@@ -13,15 +13,15 @@ from ..following.boxes import enlarged, filled_in, narrowed, square_shares, squa
 from ..following.expected_mosaic import Closeness, expected_mosaic
 from ..following.followed_source import HIGH_PASS_PX
 from ..following.levelling import SQUARE_PX as TONE_PX
-from ..following.levelling import gain_field, square_means
+from ..following.levelling import levelled, square_means
 from ..following.likely_source import QUICK
 from ..following.placed_sources import PlacedSources, follow_given, follow_sources
-from ..following.source_filters import Learned, known_filters
+from ..following.source_filters import known_filters
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX, ScanSettings
-from .block_pixels import BlockPixels, Planes
+from .block_pixels import BlockPixels
 from .patches import PATCH_PX, SquareLook
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
@@ -151,7 +151,11 @@ def measure_plain(
             labels[(labels == number) & ~valid] = UNKNOWN
     if planes.mosaic.valid is not None:
         labels[~planes.mosaic.valid] = UNKNOWN
-    made, gain = _composite(planes, labels, list(planes.sources), look.learned)
+    means, made = square_means(planes.mosaic.plane), planes.mosaic.plane.copy()
+    for number in present(labels):
+        followed = labels == number
+        in_tone = levelled(means, planes.sources[number].plane, followed, followed, PATCH_PX // TONE_PX)
+        np.copyto(made, look.learned.applied(number, in_tone.plane), where=followed)
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
     known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
@@ -163,34 +167,7 @@ def measure_plain(
         np.sum([square_sums(*both, CELL_PX // 2) for both in zip(a, b)], axis=0)[np.newaxis]
         for a, b in ((m, m), (c, c), (m, c))
     ])
-    # The gain is even within a cell, and what evens out the background has no detail.
-    sums[1] *= gain**2
-    sums[2] *= gain
     cell_rows, cell_columns = (
         first // CELL_PX + np.arange(length) for first, length in zip((block.row, block.column), known.shape)
     )
     return CellTable.far(cell_rows, cell_columns, known, sums, levels)
-
-
-def _composite(
-    planes: Planes, labels: np.ndarray, numbers: list[int], learned: Learned
-) -> tuple[np.ndarray, np.ndarray]:
-    """The sources as sharp as the mosaic shows them, the mosaic itself where none is followed; and by cells, without
-    the margin, what their detail is multiplied by in its tones."""
-    made, means = planes.mosaic.plane.copy(), square_means(planes.mosaic.plane)
-    gain = np.ones(means.shape, np.float32)
-    for number in numbers:
-        followed = labels == number
-        if not followed.any():
-            continue
-        lines = (np.flatnonzero(followed.any(axis=axis)) // TONE_PX for axis in (1, 0))
-        squares = tuple(slice(int(held[0]), int(held[-1]) + 1) for held in lines)
-        place = tuple(slice(part.start * TONE_PX, part.stop * TONE_PX) for part in squares)
-        plane = planes.sources[number].plane[place]
-        whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
-        gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
-        np.copyto(gain[squares], gains, where=whole)
-        np.copyto(made[place], learned.applied(number, plane), where=followed[place])
-    margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
-    inside = gain[margin:-margin, margin:-margin]
-    return made, square_shares(inside, per_cell)

@@ -17,8 +17,7 @@ from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.wavelets import judged_plane
 from .. import messages
-from ..compared_image import ComparedImage
-from ..inputs.grey_values import clip_factor
+from ..compared_image import ComparedImage, clip_factor
 
 _Pick = Callable[[np.ndarray], np.ndarray]
 """Picks of pixels (..., rows, columns) those that are wanted, as an image of their own."""

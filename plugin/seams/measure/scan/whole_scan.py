@@ -35,8 +35,8 @@ from ..judgement.visibility import white_grey
 from ..profile.cell_table import CELL_PX
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
-from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, around_pieces, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, SidedSeam, around_pieces, cut_in_pieces, sided
+from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
 from . import piece_sums, scan_result
@@ -178,7 +178,7 @@ class Gathering:
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
-    def _borders(self, raster: piece_sums.LossRaster | None, workers: Workers, traces: bool) -> list[SourceBorder]:
+    def _borders(self, raster: piece_sums.LossRaster | None, workers: Workers, traces: bool) -> list[SidedSeam]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
         edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
         cell_px = self._request.settings.cell_px if raster is not None else 0
@@ -372,16 +372,12 @@ def scan(
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
 
 
-def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
-    """A rectangle as a polygon."""
-    return ogr.CreateGeometryFromWkt(
-        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
-    )
-
-
 def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:
     """What a scan tells of a sheet whose pieces alone it counted, with what lies where cut to the sheet's outline."""
-    outline = rectangle(*sheet.extent)
+    xmin, ymin, xmax, ymax = sheet.extent
+    outline = ogr.CreateGeometryFromWkt(
+        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
+    )
     parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
     polygons = tuple(
         replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()

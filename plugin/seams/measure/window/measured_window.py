@@ -22,8 +22,7 @@ from ....imagery.raster_pool import ReadEach, one_by_one
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import Curve, check_decomposition, judged_plane, measure_bands, measure_directions
 from .. import limits, messages
-from ..compared_image import MeasuredClip
-from ..inputs.grey_values import read_grey_clip
+from ..compared_image import MeasuredClip, read_grey_clip
 from ..judgement.verdicts import Judgement, Ratios, Verdict, judge
 from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
