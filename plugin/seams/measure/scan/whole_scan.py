@@ -372,12 +372,16 @@ def scan(
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
 
 
-def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:
-    """What a scan tells of a sheet whose pieces alone it counted, with what lies where cut to the sheet's outline."""
-    xmin, ymin, xmax, ymax = sheet.extent
-    outline = ogr.CreateGeometryFromWkt(
+def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
+    """A rectangle as a polygon."""
+    return ogr.CreateGeometryFromWkt(
         f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
     )
+
+
+def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:
+    """What a scan tells of a sheet whose pieces alone it counted, with what lies where cut to the sheet's outline."""
+    outline = rectangle(*sheet.extent)
     parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
     polygons = tuple(
         replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
