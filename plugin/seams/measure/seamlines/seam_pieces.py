@@ -306,11 +306,6 @@ class PieceIndex:
         place = np.arange(len(of_point)) - np.repeat(np.cumsum(number) - number, number) + first[of_point]
         share = (place + 0.5) / counts[of_point]
         points = stretches["start"][of_point] + share * stretches["step"][of_point]
-        # What is out of reach isn't looked up.
-        reached = (abs(points.real - column - width / 2) <= width / 2 + reach_px + STEP_PX) & (
-            abs(points.imag - row - height / 2) <= height / 2 + reach_px + STEP_PX
-        )
-        points, of_point = points[reached], of_point[reached]
         if not len(points):
             return np.empty(0, dtype=int), stretches[:0]
         tree = cKDTree(as_xy(points), balanced_tree=False, compact_nodes=False)
