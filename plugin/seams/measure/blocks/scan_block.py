@@ -235,20 +235,14 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if None in named:  # nothing says which source lies beside a seam
         named = set()
     likely = tuple(i for i in everyone if i in around or i in named)
-    if len(likely) > 1:
-        if _is_crowded(likely, window):
+    for numbers in dict.fromkeys([likely, everyone] if len(likely) > 1 else [everyone]):
+        measured_px = window.width * window.height * len(numbers)
+        if measured_px > MOST_MEASURED_PX and max(window.width, window.height) > CROWDED_PX:
             return None
-        part = measure_part(pixels, placed, likely, request.taps, request.settings)
-        if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
-            return part
-    if _is_crowded(everyone, window):
-        return None
-    return measure_part(pixels, placed, everyone, request.taps, request.settings)
-
-
-def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
-    measured = window.width * window.height * len(numbers)
-    return measured > MOST_MEASURED_PX and max(window.width, window.height) > CROWDED_PX
+        part = measure_part(pixels, placed, numbers, request.taps, request.settings)
+        if part.unexplained <= MOST_UNEXPLAINED:
+            break
+    return part
 
 
 def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:

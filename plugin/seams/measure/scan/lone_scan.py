@@ -57,7 +57,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
     """The cells along the seams of a block, which are its ``pieces``. What can't be read is told in its notices."""
     assert request.wanted is not None
     assert request.pieces is not None
-    tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
+    tables: list[LoneTable] = []
     notices: list[Message] = []
     unread: list[PixelWindow] = []
     parts = rectangles(request.wanted)
@@ -79,7 +79,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
             near = request.pieces.near(around, REACH_PX)
             tables.append(lone_cells(image, around, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
-    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
+    return LoneScan(request.key, LoneTable.of_all(tables), tuple(dict.fromkeys(notices)), reading)
 
 
 LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, LoneScan)
@@ -122,8 +122,7 @@ class LoneScanning:
             near = blocks_of(around_pieces(pieces_here, mosaic.grid, BLOCK_PX), self._blocks)
             tables = [scan.table for key in near if (scan := self._scan(key)) is not None]
             if tables:
-                table = LoneTable.joined(tables)
-                parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
+                parts.append(lone_stretches(LoneTable.of_all(tables), self._pieces, numbers, self._index, pixel_m))
             workers.tell(0.8 * done / len(groups))
         pieces: list[JudgedPiece] = []
         stretches: list[JudgedPiece] = []
