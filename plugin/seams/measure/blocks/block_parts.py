@@ -144,20 +144,18 @@ def measure_plain(
         return CellTable.empty(levels)
     planes = pixels.part(window, numbers)
     labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
-    for number in numbers:
-        if number not in planes.sources:
-            labels[labels == number] = UNKNOWN
-        elif (valid := planes.sources[number].valid) is not None:
-            labels[(labels == number) & ~valid] = UNKNOWN
-    if planes.mosaic.valid is not None:
-        labels[~planes.mosaic.valid] = UNKNOWN
     means, made = square_means(planes.mosaic.plane), planes.mosaic.plane.copy()
-    for number in present(labels):
+    is_followed = np.zeros(labels.shape, bool)
+    for number, image in planes.sources.items():
         followed = labels == number
-        in_tone = levelled(means, planes.sources[number].plane, followed, followed, PATCH_PX // TONE_PX)
-        np.copyto(made, look.learned.applied(number, in_tone.plane), where=followed)
+        for valid in (image.valid, planes.mosaic.valid):
+            followed &= True if valid is None else valid
+        if followed.any():
+            in_tone = levelled(means, image.plane, followed, followed, PATCH_PX // TONE_PX)
+            np.copyto(made, look.learned.applied(number, in_tone.plane), where=followed)
+            is_followed |= followed
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
-    known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
+    known = square_shares(is_followed[inside], CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
     finest = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]

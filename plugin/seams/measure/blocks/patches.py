@@ -109,7 +109,10 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     # What was warped is explained as badly as by another image.
     strangers = patches.strangers(is_compressed) & ~np.isin(patches.source, list(planes.resampled))
     if strangers.any():
-        patches = patches.without(strangers)
+        patches = replace(
+            patches, source=np.where(strangers, np.uint8(UNKNOWN), patches.source),
+            doubtful=patches.doubtful & ~strangers, sampled=patches.sampled & ~strangers,
+        )
         cells, learned = cells_of(patches)
     learned = Learned({**supposed, **learned.taps}, {**dict.fromkeys(supposed, 1.0), **learned.left_over})
     return SquareLook(patches.source, patches.doubtful, cells, learned, plain=_is_plain(fine, shape))
@@ -144,11 +147,6 @@ class _Patches:
         foreign, alike = foreign_patches(self.energy, self.left_over, self.source, is_compressed)
         strangers = opened(foreign & ~self.doubtful, _STRANGE_SQUARES)
         return strangers if is_compressed(None) else strangers | opened(alike, _STRANGE_SQUARES)
-
-    def without(self, strangers: np.ndarray) -> _Patches:
-        """Patches that follow none."""
-        source = np.where(strangers, np.uint8(UNKNOWN), self.source)
-        return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
 
 
 def _patches(
