@@ -145,15 +145,17 @@ def measure_plain(
     planes = pixels.part(window, numbers)
     labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
     means, made = square_means(planes.mosaic.plane), planes.mosaic.plane.copy()
-    is_followed = np.zeros(labels.shape, bool)
+    is_followed, places = np.zeros(labels.shape, bool), ndimage.find_objects(labels.astype(np.int32) + 1)
     for number, image in planes.sources.items():
-        followed = labels == number
+        place = places[number]
+        squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
+        here = labels[place] == number
         for valid in (image.valid, planes.mosaic.valid):
-            followed &= True if valid is None else valid
-        if followed.any():
-            in_tone = levelled(means, image.plane, followed, followed, PATCH_PX // TONE_PX)
-            np.copyto(made, look.learned.applied(number, in_tone.plane), where=followed)
-            is_followed |= followed
+            here &= True if valid is None else valid[place]
+        if here.any():
+            in_tone = levelled(means[squares], image.plane[place], here, here, PATCH_PX // TONE_PX)
+            np.copyto(made[place], look.learned.applied(number, in_tone.plane), where=here)
+            is_followed[place] |= here
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
     known = square_shares(is_followed[inside], CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
