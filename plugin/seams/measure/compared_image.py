@@ -12,12 +12,11 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ...imagery import limits as imagery_limits
 from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import RasterError
 from ...imagery.gdal_paths import file_stamp
 from ...imagery.grids import PixelWindow
-from ...imagery.limits import COLOURS, LUMINANCE, has_colours
+from ...imagery.limits import COLOURS, LUMINANCE, LUMINANCE_WEIGHTS, MIN_SHARE, has_colours
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_pool import open_raster
 from ...imagery.rasters import Raster
@@ -78,7 +77,7 @@ class ComparedImage:
         """What became of another image's grey values in this one, by band, fitted to the squares ``where``."""
         pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,)) for band in other.bands]
         if LUMINANCE in other.coarse:
-            pixels.insert(0, (other.bands[:3], imagery_limits.LUMINANCE_WEIGHTS))
+            pixels.insert(0, (other.bands[:3], LUMINANCE_WEIGHTS))
         mosaic, source = (np.stack(list(image.coarse.values())) for image in (self, other))
         return dict(zip(self.coarse, fit_tones(mosaic, source, where, pixels)))
 
@@ -120,7 +119,7 @@ def _bands(clip: Clip, names: Sequence[str]) -> np.ndarray:
 def _coarse(bands: np.ndarray, names: Sequence[str], levels: int) -> dict[str, np.ndarray]:
     coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
     if has_colours(names):
-        weighted = sum(weight * coarse[name] for weight, name in zip(imagery_limits.LUMINANCE_WEIGHTS, names))
+        weighted = sum(weight * coarse[name] for weight, name in zip(LUMINANCE_WEIGHTS, names))
         coarse = {LUMINANCE: np.asarray(weighted), **coarse}
     return coarse
 
@@ -175,7 +174,7 @@ def gains_of_colours(tones: Mapping[str, Tone | None]) -> float | None:
 
 def _contrast(mosaic: Curve, source: Curve) -> tuple[float | None, ...]:
     return tuple(
-        float(np.sqrt(m * mosaic.variance / (s * source.variance))) if s > imagery_limits.MIN_SHARE else None
+        float(np.sqrt(m * mosaic.variance / (s * source.variance))) if s > MIN_SHARE else None
         for m, s in zip(mosaic.detail, source.detail)
     )
 
