@@ -38,15 +38,10 @@ ENOUGH_PX = 512
 
 def surroundings(window: PixelWindow, mosaic: Raster, levels: int) -> PixelWindow:
     """A window with its margin, in whole cells and multiples of 2^R, inside the mosaic."""
-    step = max(CELL_PX, 2 ** int(levels))
-
-    def margins(first: int, length: int, end: int) -> tuple[int, int]:
-        wanted = min(MARGIN_PX, max(ENOUGH_PX - length, 0) // 2)
-        before, after = (min(wanted, max(there, 0)) // step * step for there in (first, end - first - length))
-        return before, after
-
-    left, right = margins(window.column, window.width, mosaic.columns)
-    top, bottom = margins(window.row, window.height, mosaic.rows)
+    across, down = (min(MARGIN_PX, max(ENOUGH_PX - side, 0) // 2) for side in (window.width, window.height))
+    wanted = PixelWindow(window.column - across, window.row - down, window.width + 2 * across, window.height + 2 * down)
+    margins, step = wanted.cut_to(mosaic.columns, mosaic.rows).margins_of(window), max(CELL_PX, 2 ** int(levels))
+    (top, bottom), (left, right) = ((before // step * step, after // step * step) for before, after in margins)
     return PixelWindow(
         window.column - left, window.row - top, window.width + left + right, window.height + top + bottom
     )
