@@ -8,7 +8,7 @@ from ..plugin.imagery.errors import SettingsError
 from ..plugin.imagery.file_identity import check_can_be_written, refuse_overwriting
 from ..plugin.imagery.gdal_paths import FEATURES, RASTERS, open_dataset
 from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
-from ..plugin.seams.measure.mending.mended_mosaic import MENDED_DOMAIN
+from ..plugin.seams.measure.mending.mending import MENDED_DOMAIN
 from ..plugin.seams.measure.scan.piece_sums import SETTINGS_DOMAIN
 from . import messages
 

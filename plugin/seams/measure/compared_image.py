@@ -1,21 +1,28 @@
 """Clips as they are compared: reduced to the bands that all have, with what is looked at more than once.
 
-And what became of a source's grey values in the mosaic, band by band.
+And what became of a source's grey values in the mosaic, band by band. Floating point values are compared as those of 8
+or 16 bit are, which limits of energy are meant for.
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from ...imagery import limits as imagery_limits
-from ...imagery.clips import Clip
-from ...imagery.limits import COLOURS, LUMINANCE, has_colours
+from ...imagery.clips import Clip, read_clip
+from ...imagery.errors import RasterError
+from ...imagery.gdal_paths import file_stamp
+from ...imagery.grids import PixelWindow
+from ...imagery.limits import COLOURS, LUMINANCE, LUMINANCE_WEIGHTS, MIN_SHARE, has_colours
+from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_pool import open_raster
 from ...imagery.rasters import Raster
 from ...imagery.shifts import Shift, Spectra
 from ...imagery.wavelets import Curve, judged_plane
+from .source_images import even_places
 from .tone import Tone, clipped_share, coarse_means, fit_tones
 
 
@@ -70,7 +77,7 @@ class ComparedImage:
         """What became of another image's grey values in this one, by band, fitted to the squares ``where``."""
         pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,)) for band in other.bands]
         if LUMINANCE in other.coarse:
-            pixels.insert(0, (other.bands[:3], imagery_limits.LUMINANCE_WEIGHTS))
+            pixels.insert(0, (other.bands[:3], LUMINANCE_WEIGHTS))
         mosaic, source = (np.stack(list(image.coarse.values())) for image in (self, other))
         return dict(zip(self.coarse, fit_tones(mosaic, source, where, pixels)))
 
@@ -112,7 +119,7 @@ def _bands(clip: Clip, names: Sequence[str]) -> np.ndarray:
 def _coarse(bands: np.ndarray, names: Sequence[str], levels: int) -> dict[str, np.ndarray]:
     coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
     if has_colours(names):
-        weighted = sum(weight * coarse[name] for weight, name in zip(imagery_limits.LUMINANCE_WEIGHTS, names))
+        weighted = sum(weight * coarse[name] for weight, name in zip(LUMINANCE_WEIGHTS, names))
         coarse = {LUMINANCE: np.asarray(weighted), **coarse}
     return coarse
 
@@ -167,6 +174,62 @@ def gains_of_colours(tones: Mapping[str, Tone | None]) -> float | None:
 
 def _contrast(mosaic: Curve, source: Curve) -> tuple[float | None, ...]:
     return tuple(
-        float(np.sqrt(m * mosaic.variance / (s * source.variance))) if s > imagery_limits.MIN_SHARE else None
+        float(np.sqrt(m * mosaic.variance / (s * source.variance))) if s > MIN_SHARE else None
         for m, s in zip(mosaic.detail, source.detail)
     )
+
+
+USUAL_RANGE = (32.0, 70_000.0)
+"""Between the outermost percentiles: values of less or more are brought to 8 bit, by a factor that is the same for
+all that is delivered from 0 to 1."""
+_SAMPLES, _SIDE_PX = 6, 128  # along each side of a raster, and of a sample: 600,000 pixels that span its values
+_WIDEST = 1.5  # what goes for 0 to 1, as reflectance of snow and of glints is more
+_ALIKE = 10.5  # times: factors that differ no more are of one scale, near to where the next one begins
+
+
+def grey_factor(raster: Raster) -> float:
+    """What the values of a raster are multiplied by; 1 for whole numbers and for values of a usual range."""
+    return _sampled_factor(raster, file_stamp(raster.ref.path)) if raster.data_type.startswith("float") else 1.0
+
+
+def read_grey_clip(
+    source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool = False
+) -> tuple[Clip, float]:
+    """A clip as ``read_clip`` has it, in values as those of 8 or 16 bit are, and by what they were multiplied.
+
+    Raises RasterError.
+    """
+    clip = read_clip(source, mosaic, window, partly)
+    factor = clip_factor(clip, mosaic)
+    return (clip if factor == 1 else replace(clip, bands=clip.bands * clip.bands.dtype.type(factor))), factor
+
+
+def clip_factor(clip: Clip, mosaic: Raster) -> float:
+    """What the values of a clip are multiplied by: those of a source of the mosaic's scale as the mosaic's."""
+    if clip.bands.dtype.kind != "f":
+        return 1.0
+    mosaic_factor, factor = grey_factor(mosaic), grey_factor(clip.raster)
+    return mosaic_factor if mosaic_factor / _ALIKE < factor < mosaic_factor * _ALIKE else factor
+
+
+@lru_cache(1024)
+def _sampled_factor(raster: Raster, stamp: object) -> float:
+    """``stamp``: of the file, as another one may be there under its name."""
+    try:
+        opened, whole = open_raster(raster.ref), PixelWindow(0, 0, raster.columns, raster.rows)
+        blocks = map(opened.read, even_places(whole, _SIDE_PX, (_SAMPLES, _SAMPLES)))
+        samples = [block.bands[:3, block.valid].ravel() for block in blocks]
+    except RasterError:
+        return 1.0  # the scan says so where it needs it
+    return factor_of(np.concatenate(samples))
+
+
+def factor_of(values: np.ndarray) -> float:
+    """Factor as ``grey_factor`` has it, of some of the values themselves, in any shape."""
+    if values.dtype.kind != "f" or not values.size:
+        return 1.0
+    low, high = np.percentile(values, (1, 99))
+    least, most = USUAL_RANGE
+    if least <= high - low <= most or high <= low:
+        return 1.0
+    return float(255 * 10.0 ** -math.ceil(math.log10((high - low) / _WIDEST)))

@@ -55,14 +55,7 @@ def is_one_of(labels: np.ndarray, numbers: Iterable[int]) -> np.ndarray:
 
 def present(labels: np.ndarray) -> list[int]:
     """The sources that any pixel follows."""
-    remainder, sources = int(np.count_nonzero(labels != UNKNOWN)), []
-    for number in range(UNKNOWN):
-        if not remainder:
-            break
-        if count := int(np.count_nonzero(labels == number)):
-            sources.append(number)
-            remainder -= count
-    return sources
+    return np.flatnonzero(np.bincount(labels.ravel(), minlength=UNKNOWN + 1)[:UNKNOWN]).tolist()
 
 
 def source_stem(name: str) -> str:

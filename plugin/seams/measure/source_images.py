@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import combinations, product
+from itertools import combinations
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -207,11 +207,19 @@ def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelW
     """Places in the pixels that two rasters on one grid share, in the pixels of each."""
     column, row = round(first.grid.column_at(second.grid.left)), round(first.grid.row_at(second.grid.top))
     shared = PixelWindow(column, row, second.columns, second.rows).cut_to(first.columns, first.rows)
-    width, height = min(_SIDE_PX, shared.width), min(_SIDE_PX, shared.height)
-    for down, across in product(np.linspace(0, 1, _PLACES), repeat=2) if width and height else ():
-        place = shared.moved_by(int(across * (shared.width - width)), int(down * (shared.height - height)))
-        place = replace(place, width=width, height=height)
-        yield place, place.moved_by(-column, -row)
+    if shared.width and shared.height:
+        for place in even_places(shared, _SIDE_PX, (_PLACES, _PLACES)):
+            yield place, place.moved_by(-column, -row)
+
+
+def even_places(window: PixelWindow, side_px: int, counts: tuple[int, int]) -> Iterator[PixelWindow]:
+    """Squares in so many rows and columns that lie evenly from one end of a window to the other."""
+    height, width = min(side_px, window.height), min(side_px, window.width)
+    rows, columns = (
+        np.linspace(0, free, count).astype(int).tolist()
+        for free, count in zip((window.height - height, window.width - width), counts)
+    )
+    return (PixelWindow(window.column + column, window.row + row, width, height) for row in rows for column in columns)
 
 
 def _same_content(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool | None:

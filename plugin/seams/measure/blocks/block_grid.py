@@ -14,8 +14,8 @@ from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_along
 from ....imagery.wavelets import check_decomposition
-from .. import limits, messages
-from ..limits import DENSITIES, MOST_LEVELS, SEAMS
+from .. import messages
+from ..limits import DENSITIES, MOST_LEVELS, SEAMS, STANDARD_PIECE_M, WORST_COUNT
 from ..profile.cell_table import CELL_PX
 from ..seamlines.seam_pieces import SidedSeam
 
@@ -36,11 +36,11 @@ class ScanSettings:
     """``seams``: everything along the seams, samples elsewhere; ``full``: everything everywhere."""
     cell_px: int = 2 * CELL_PX
     """Side of a pixel of the picture of losses, px of the mosaic: 16, 32, 64, 128 or 256."""
-    piece_m: float = limits.STANDARD_PIECE_M
+    piece_m: float = STANDARD_PIECE_M
     """Length of the pieces into which seams are cut."""
     corridor_m: float = 0.0
     """What is read on either side of given seamlines; 0: everything."""
-    worst_count: int = limits.WORST_COUNT
+    worst_count: int = WORST_COUNT
     """Windows of the least kept places."""
     source_field: str = ""
     """Field of given seamlines that names the source of a polygon, where that can't be guessed."""

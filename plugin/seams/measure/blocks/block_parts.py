@@ -9,20 +9,19 @@ from scipy import ndimage
 
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
-from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, filled_in, narrowed, square_shares, square_sums
 from ..following.expected_mosaic import Closeness, expected_mosaic
 from ..following.followed_source import HIGH_PASS_PX
 from ..following.levelling import SQUARE_PX as TONE_PX
-from ..following.levelling import gain_field, square_means
+from ..following.levelling import levelled, square_means
 from ..following.likely_source import QUICK
 from ..following.placed_sources import PlacedSources, follow_given, follow_sources
-from ..following.source_filters import Learned, known_filters
+from ..following.source_filters import known_filters
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX, ScanSettings
-from .block_pixels import JUDGED, BlockPixels, Planes
+from .block_pixels import BlockPixels
 from .patches import PATCH_PX, SquareLook
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
@@ -58,10 +57,18 @@ def measure_part(
     planes = pixels.part(around, numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     given = tuple(planes.sources)
-    known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
-    if not given or known[inside].mean() < MIN_VALID:
-        return _nothing(window, levels, known[inside])
-    image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
+    image = planes.mosaic
+    known = np.ones(image.plane.shape, bool) if image.valid is None else image.valid
+    valid = known[inside]
+    if not given or valid.mean() < MIN_VALID:
+        nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
+        planes_by_name = {
+            "labels": np.full(valid[SAMPLED].shape, UNKNOWN, np.uint8), "valid": valid[SAMPLED], "mixture": nothing,
+            "grey": nothing, "grain": np.full_like(nothing, np.nan),
+        }
+        return DensePart(
+            window, planes_by_name, CellTable.empty(levels), MixtureTable.empty(levels), float(valid.any())
+        )
     filters = known_filters(taps, given)
     if filters is not None and filters.taps:
         followed = follow_given(image, list(planes.sources.values()), filters)
@@ -80,11 +87,11 @@ def measure_part(
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
     planes_by_name = {
-        "labels": labels[inside][SAMPLED], "valid": known[inside][SAMPLED],
+        "labels": labels[inside][SAMPLED], "valid": valid[SAMPLED],
         "mixture": square_shares(mixed[inside], CELL_PX), "grey": square_shares(image.plane[inside], CELL_PX),
         "grain": _grain(followed, known)[place],
     }
-    unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside])
+    unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & valid) / np.count_nonzero(valid)
     tables = cells.within(place).moved(*first), beside.within(place).moved(*first)
     return DensePart(window, planes_by_name, *tables, unexplained)
 
@@ -116,16 +123,6 @@ def guesses(labels: np.ndarray, likely: np.ndarray) -> np.ndarray:
     return enlarged(unsure, LABEL_PX)
 
 
-def _nothing(window: PixelWindow, levels: int, known: np.ndarray) -> DensePart:
-    nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    valid = known[SAMPLED]
-    planes = {
-        "labels": np.full(valid.shape, UNKNOWN, np.uint8), "valid": valid, "mixture": nothing, "grey": nothing,
-        "grain": np.full_like(nothing, np.nan),
-    }
-    return DensePart(window, planes, CellTable.empty(levels), MixtureTable.empty(levels), float(known.any()))
-
-
 BLOCK_MARGIN_PX = 32
 """Around a block: the finest details of its outermost cells need to know so much."""
 
@@ -147,54 +144,30 @@ def measure_plain(
         return CellTable.empty(levels)
     planes = pixels.part(window, numbers)
     labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
-    for number in numbers:
-        if number not in planes.sources:
-            labels[labels == number] = UNKNOWN
-        elif (valid := planes.sources[number].valid) is not None:
-            labels[(labels == number) & ~valid] = UNKNOWN
-    if planes.mosaic_valid is not None:
-        labels[~planes.mosaic_valid] = UNKNOWN
-    made, gain = _composite(planes, labels, list(planes.sources), look.learned)
+    means, made = square_means(planes.mosaic.plane), planes.mosaic.plane.copy()
+    is_followed, places = np.zeros(labels.shape, bool), ndimage.find_objects(labels.astype(np.int32) + 1)
+    for number, image in planes.sources.items():
+        place = places[number]
+        squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
+        here = labels[place] == number
+        for valid in (image.valid, planes.mosaic.valid):
+            here &= True if valid is None else valid[place]
+        if here.any():
+            in_tone = levelled(means[squares], image.plane[place], here, here, PATCH_PX // TONE_PX)
+            np.copyto(made[place], look.learned.applied(number, in_tone.plane), where=here)
+            is_followed[place] |= here
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
-    known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
+    known = square_shares(is_followed[inside], CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
     finest = np.s_[:, 0, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
     # One by one: arrays of more than 32 MB would be taken from the system every time.
-    m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic, made))
+    m, c = (next(placed_components(plane[np.newaxis], wavelet, 1))[finest] for plane in (planes.mosaic.plane, made))
     sums = np.stack([
         np.sum([square_sums(*both, CELL_PX // 2) for both in zip(a, b)], axis=0)[np.newaxis]
         for a, b in ((m, m), (c, c), (m, c))
     ])
-    # The gain is even within a cell, and what evens out the background has no detail.
-    sums[1] *= gain**2
-    sums[2] *= gain
     cell_rows, cell_columns = (
         first // CELL_PX + np.arange(length) for first, length in zip((block.row, block.column), known.shape)
     )
     return CellTable.far(cell_rows, cell_columns, known, sums, levels)
-
-
-def _composite(
-    planes: Planes, labels: np.ndarray, numbers: list[int], learned: Learned
-) -> tuple[np.ndarray, np.ndarray]:
-    """The sources as sharp as the mosaic shows them, the mosaic itself where none is followed; and by cells, without
-    the margin, what their detail is multiplied by in its tones."""
-    made = planes.mosaic.copy()
-    means = square_means(planes.mosaic)
-    gain = np.ones(means.shape, np.float32)
-    for number in numbers:
-        followed = labels == number
-        if not followed.any():
-            continue
-        lines = (np.flatnonzero(followed.any(axis=axis)) // TONE_PX for axis in (1, 0))
-        squares = tuple(slice(int(held[0]), int(held[-1]) + 1) for held in lines)
-        place = tuple(slice(part.start * TONE_PX, part.stop * TONE_PX) for part in squares)
-        plane = planes.sources[number].plane[place]
-        whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
-        gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
-        np.copyto(gain[squares], gains, where=whole)
-        np.copyto(made[place], learned.applied(number, plane), where=followed[place])
-    margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
-    inside = gain[margin:-margin, margin:-margin]
-    return made, square_shares(inside, per_cell)

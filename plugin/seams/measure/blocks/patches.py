@@ -74,7 +74,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     rows, columns = (_starts(length) for length in (pixels.window.height, pixels.window.width))
     shape = len(rows), len(columns)
     planes = pixels.patches(rows, columns, PATCH_PX)
-    with_patch = _share(planes.mosaic_valid, shape) >= _MIN_VALID
+    with_patch = _share(planes.mosaic.valid, shape) >= _MIN_VALID
     empty = np.zeros(shape, bool)
     if pixels.valid is not None:
         firsts = [np.arange(0, length, SQUARE_PX) for length in pixels.valid.shape]
@@ -83,7 +83,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     if not planes.sources or empty.all():
         nothing = np.full(shape, UNKNOWN, np.uint8)
         return SquareLook(nothing, np.zeros(shape, bool), CellTable.empty(levels))
-    fine = high_pass(planes.mosaic)
+    fine = high_pass(planes.mosaic.plane)
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     patches = _patches(fine, fines, planes, with_patch, empty)
     if not patches.sampled.any():
@@ -94,7 +94,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         sampled = np.where(patches.sampled, patches.source, np.uint8(UNKNOWN))
         return _cells(planes, sampled, (rows, columns), wavelet, levels)
 
-    mosaic_was = was_compressed(planes.mosaic)
+    mosaic_was = was_compressed(planes.mosaic.plane)
     is_compressed = compressed_sides(mosaic_was, lambda number: planes.sources[number].plane, fines)
     shown, supposed = fines, dict[int, np.ndarray]()
     if patches.share_left > MAX_LEFT_UNFILTERED:  # what came over the mosaic made it unlike its sources
@@ -109,7 +109,10 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     # What was warped is explained as badly as by another image.
     strangers = patches.strangers(is_compressed) & ~np.isin(patches.source, list(planes.resampled))
     if strangers.any():
-        patches = patches.without(strangers)
+        patches = replace(
+            patches, source=np.where(strangers, np.uint8(UNKNOWN), patches.source),
+            doubtful=patches.doubtful & ~strangers, sampled=patches.sampled & ~strangers,
+        )
         cells, learned = cells_of(patches)
     learned = Learned({**supposed, **learned.taps}, {**dict.fromkeys(supposed, 1.0), **learned.left_over})
     return SquareLook(patches.source, patches.doubtful, cells, learned, plain=_is_plain(fine, shape))
@@ -144,11 +147,6 @@ class _Patches:
         foreign, alike = foreign_patches(self.energy, self.left_over, self.source, is_compressed)
         strangers = opened(foreign & ~self.doubtful, _STRANGE_SQUARES)
         return strangers if is_compressed(None) else strangers | opened(alike, _STRANGE_SQUARES)
-
-    def without(self, strangers: np.ndarray) -> _Patches:
-        """Patches that follow none."""
-        source = np.where(strangers, np.uint8(UNKNOWN), self.source)
-        return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
 
 
 def _patches(
@@ -189,10 +187,10 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
         return middles
     planes = pixels.strip_of_patches(starts[:, 0], starts[:, 1], PATCH_PX)
     shape = len(squares), 1
-    valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
+    valid = _share(planes.mosaic.valid, shape) >= _MIN_VALID
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     fines = {i: look.learned.applied(i, fine) for i, fine in fines.items()}
-    followed = _followed(high_pass(planes.mosaic), fines, planes, shape)
+    followed = _followed(high_pass(planes.mosaic.plane), fines, planes, shape)
     middles[tuple(squares.T)] = np.where(followed.sure & valid, followed.source, UNKNOWN)[:, 0]
     return middles
 
@@ -307,7 +305,7 @@ def _cells(
     followed = followed[step // 2 :: step, step // 2 :: step]
     shape = followed.shape
     within = _known_pixels(shape)
-    mosaic, cell = planes.mosaic[chosen], slice(_CELL.start // 2, _CELL.stop // 2)
+    mosaic, cell = planes.mosaic.plane[chosen], slice(_CELL.start // 2, _CELL.stop // 2)
     for _ in range(_ROUNDS):
         numbers = present(followed)
         given = {i: planes.sources[i].plane[chosen] for i in numbers}

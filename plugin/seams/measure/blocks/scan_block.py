@@ -134,11 +134,10 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     """What the patches of a block say, and the units in which they call for more. Raises NotCoveredError or RasterError
     where it can't be read."""
     settings = request.settings
-    is_full = settings.density == FULL
     # Those of a block at the mosaic's edge may be too few for a patch.
     width, height = max(request.window.width, grid.SQUARE_PX), max(request.window.height, grid.SQUARE_PX)
     around = replace(request.window, width=width, height=height)
-    pixels = BlockPixels(request.mosaic, request.refs, around, BLOCK_MARGIN_PX if is_full else 0)
+    pixels = BlockPixels(request.mosaic, request.refs, around, BLOCK_MARGIN_PX if settings.density == FULL else 0)
     made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels)
     midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
@@ -147,9 +146,13 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     if request.along_seams is not None:
         wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
     wanted = wanted[: -(-request.window.height // grid.UNIT_PX), : -(-request.window.width // grid.UNIT_PX)]
-    made.take_look(look, wanted)
-    if is_full:
-        made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
+    if settings.density == FULL:  # all cells between the seams, instead of samples of them
+        cells = measure_plain(pixels, look, wanted, settings.wavelet, settings.levels)
+    else:
+        sides, sampled = grid.UNIT_PX // CELL_PX, look.cells
+        sampled = sampled.chosen(~wanted[sampled.row // sides, sampled.column // sides])
+        cells = sampled.moved(request.window.row // CELL_PX, request.window.column // CELL_PX)
+    made.take_look(look, wanted, cells)
     return made.result(pixels.valid, pixels.notices, BlockReading((), True, pixels.has_sources))
 
 
@@ -232,20 +235,14 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if None in named:  # nothing says which source lies beside a seam
         named = set()
     likely = tuple(i for i in everyone if i in around or i in named)
-    if len(likely) > 1:
-        if _is_crowded(likely, window):
+    for numbers in dict.fromkeys([likely, everyone] if len(likely) > 1 else [everyone]):
+        measured_px = window.width * window.height * len(numbers)
+        if measured_px > MOST_MEASURED_PX and max(window.width, window.height) > CROWDED_PX:
             return None
-        part = measure_part(pixels, placed, likely, request.taps, request.settings)
-        if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
-            return part
-    if _is_crowded(everyone, window):
-        return None
-    return measure_part(pixels, placed, everyone, request.taps, request.settings)
-
-
-def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
-    measured = window.width * window.height * len(numbers)
-    return measured > MOST_MEASURED_PX and max(window.width, window.height) > CROWDED_PX
+        part = measure_part(pixels, placed, numbers, request.taps, request.settings)
+        if part.unexplained <= MOST_UNEXPLAINED:
+            break
+    return part
 
 
 def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
@@ -274,8 +271,8 @@ class _Block:
         self._learned = UNLEARNED
         self._tables, self._mixtures = [self._scan.cells], [self._scan.beside]
 
-    def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
-        """What the patches say where nothing more is measured."""
+    def take_look(self, look: SquareLook, wanted: np.ndarray, cells: CellTable) -> None:
+        """What the patches, and ``cells``, say where nothing more is measured."""
         self._learned = look.learned
         self._scan.wanted[: wanted.shape[0], : wanted.shape[1]] = wanted
         rows, columns = look.source.shape
@@ -283,18 +280,8 @@ class _Block:
         self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
         side = grid.SQUARE_PX // grid.LABEL_PX
         self._scan.labels[: rows * side, : columns * side] = enlarged(look.source, side)
-        cells, window = look.cells, self._window
-        sides = grid.UNIT_PX // CELL_PX
-        kept = ~wanted[cells.row // sides, cells.column // sides]
-        placed = cells.chosen(kept)
-        self._scan.mixture[placed.row, placed.column] = 0
-        self._tables.append(placed.moved(window.row // CELL_PX, window.column // CELL_PX))
-
-    def take_plain(self, cells: CellTable) -> None:
-        """All cells between the seams, instead of samples of them."""
-        first_row, first_column = self._window.row // CELL_PX, self._window.column // CELL_PX
-        self._scan.mixture[cells.row - first_row, cells.column - first_column] = 0
-        self._tables = [cells]
+        self._scan.mixture[cells.row % CELLS, cells.column % CELLS] = 0
+        self._tables.append(cells)
 
     def take_part(self, part: DensePart) -> None:
         """What was measured in a rectangle; what sticks out of the block is left out."""

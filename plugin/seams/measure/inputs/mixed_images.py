@@ -18,14 +18,14 @@ from scipy import ndimage
 
 from ....imagery.clips import Clip, read_clip
 from ....imagery.errors import Message, RasterError
-from ....imagery.grids import PixelWindow
-from ....imagery.lines import vertex_stations
+from ....imagery.grids import Grid, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.statistics import NORMAL_95
 from .. import messages
-from ..seamlines.seam_pieces import SeamPiece
+from ..following.boxes import in_squares
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, around_pieces
 
 _BANDS_PX = ((6, 24), (24, 48))  # from a seam, where sharpness is compared: far off it changes as a lens makes it
 _CELL_PX, _STATION_PX = 8, 64  # of sums, and along the seam: what lies farther apart is other ground
@@ -52,14 +52,11 @@ def mixed_images(
     by_pair: dict[tuple[str, str], list[tuple[SeamPiece, np.ndarray]]] = defaultdict(list)
     for left, right, piece in pieces:
         first, second = sorted((left, right))
-        line = mosaic.grid.to_pixels(piece.vertices)
-        start = np.floor(line.min(axis=0) - reach).astype(int)
-        size = np.ceil(line.max(axis=0) + reach).astype(int) - start
-        around = PixelWindow(*start.tolist(), *size.tolist())
+        around = around_pieces([piece], mosaic.grid, reach)
         if left != right and left in sources and right in sources:
             with suppress(RasterError):  # the scan says so where it needs it
                 clips = [read_clip(opened(sources[name]), mosaic, around, partly=True) for name in (first, second)]
-                energies = _energies(clips, line - start)[:, :, :: 1 if left == first else -1]
+                energies = _energies(clips, around, piece, mosaic.grid)[:, :, :: 1 if left == first else -1]
                 by_pair[first, second].append((piece, energies))
     shares = {
         pair: _mixed(np.concatenate([energies for _, energies in measured], axis=1))
@@ -97,26 +94,29 @@ def _mixed(energies: np.ndarray) -> float:
     return share
 
 
-def _energies(clips: Sequence[Clip], line: np.ndarray) -> np.ndarray:
-    """(bands, stations, 2, 3): <a, a>, <b, b> and <a, b> of two clips' finest detail on the left and the right of a
-    line of columns and rows; all cells weigh alike, how much detail they have. 0 where too few have pixels of both."""
+def _energies(clips: Sequence[Clip], around: PixelWindow, piece: SeamPiece, grid: Grid) -> np.ndarray:
+    """(bands, stations, 2, 3): <a, a>, <b, b> and <a, b> of two clips' finest detail on the left and the right of the
+    piece that they lie ``around``; all cells weigh alike, how much detail they have. 0 where too few have pixels of
+    both."""
     valid = _valid(clips[0]) & _valid(clips[1])
-    rows, columns = (size // _CELL_PX for size in valid.shape)
-    inside = valid[: rows * _CELL_PX, : columns * _CELL_PX].reshape(rows, _CELL_PX, columns, _CELL_PX).all(axis=(1, 3))
-    inside = ndimage.minimum_filter(inside, 3, mode="nearest")  # beside what has no pixels JPEG rings
+    # Beside what has no pixels JPEG rings.
+    inside = ndimage.minimum_filter(in_squares(valid, _CELL_PX).all(axis=(1, 3)), 3, mode="nearest")
     down, across = np.nonzero(inside)
-    station, distance = _beside(_CELL_PX * (np.column_stack([across, down]) + 0.5), line)
-    a, b = (_detail(clip)[:, : rows * _CELL_PX // 2, : columns * _CELL_PX // 2] for clip in clips)
-    cells = 3, rows, _CELL_PX // 2, columns, _CELL_PX // 2
-    products = (x * y for x, y in ((a, a), (b, b), (a, b)))
-    energy = np.stack([product.reshape(cells).sum(axis=(0, 2, 4))[inside] for product in products], axis=1)
-    sums = np.zeros((len(_BANDS_PX), int(vertex_stations(line)[-1] / _STATION_PX) + 1, 2, 3))
+    columns, rows = around.column + _CELL_PX * (across + 0.5), around.row + _CELL_PX * (down + 0.5)
+    beside = PieceIndex([piece], grid).beside(columns, rows, _BANDS_PX[-1][1])
+    station_m, station_px = beside.station_m - piece.station_m, _STATION_PX * grid.ground_sample_distance
+    is_within = (station_m > 0) & (station_m < piece.length_m)
+    a, b = map(_detail, clips)
+    products = (in_squares((x * y).sum(axis=0), _CELL_PX // 2) for x, y in ((a, a), (b, b), (a, b)))
+    energy = np.stack([product.sum(axis=(1, 3))[inside] for product in products], axis=1)
+    sums = np.zeros((len(_BANDS_PX), int(piece.length_m / station_px) + 1, 2, 3))
     for band, (near, far) in zip(sums, _BANDS_PX):
-        is_used = (near <= abs(distance)) & (abs(distance) < far) & (energy[:, :2].sum(axis=1) > _LEAST_ENERGY)
-        is_right, used = distance[is_used] < 0, energy[is_used]
+        is_used = is_within & (near <= beside.distance_px) & (beside.distance_px < far)
+        is_used &= energy[:, :2].sum(axis=1) > _LEAST_ENERGY
+        is_right, used = ~beside.on_left[is_used], energy[is_used]
         if min(np.count_nonzero(is_right), np.count_nonzero(~is_right)) >= _FEWEST:
             weight = 1 / (used[:, :2].sum(axis=1) + used[:, :2].mean() / 2 + np.finfo(float).tiny)
-            place = (station[is_used] / _STATION_PX).astype(int), is_right.astype(int)
+            place = (station_m[is_used] / station_px).astype(int), is_right.astype(int)
             np.add.at(band, place, used * weight[:, np.newaxis])
     return sums
 
@@ -132,18 +132,3 @@ def _detail(clip: Clip) -> np.ndarray:
     top, bottom = grey[:rows:2, :columns], grey[1:rows:2, :columns]
     low, high = top + bottom, top - bottom
     return np.stack([low[:, ::2] - low[:, 1::2], high[:, ::2] + high[:, 1::2], high[:, ::2] - high[:, 1::2]]) / 2
-
-
-def _beside(points: np.ndarray, line: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Stations of points along a line, and their distances from it, below 0 on its right and nan beyond its ends; all
-    of columns and rows."""
-    along, step = vertex_stations(line), np.diff(line, axis=0)
-    away = points[:, np.newaxis] - line[:-1]
-    share = (away * step).sum(axis=2) / np.maximum((step**2).sum(axis=1), np.finfo(float).tiny)
-    off = np.hypot(*np.moveaxis(away - share.clip(0, 1)[..., np.newaxis] * step, 2, 0))
-    number = off.argmin(axis=1)
-    nearest = np.arange(len(points)), number
-    station = along[number] + share[nearest].clip(0, 1) * np.diff(along)[number]
-    is_right = step[number, 0] * away[nearest][:, 1] > step[number, 1] * away[nearest][:, 0]  # rows count downwards
-    is_beyond = (station <= 0) | (station >= along[-1])
-    return station, np.where(is_beyond, np.nan, np.where(is_right, -1, 1) * off[nearest])

@@ -25,7 +25,7 @@ from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
 from ..following.boxes import in_squares
-from ..source_images import Footprints, Source, is_same_file
+from ..source_images import Footprints, Source, even_places, is_same_file
 
 SIDE_PX = 64  # of a patch that is compared
 PLACES, FEWEST_PLACES = 12, 4  # along each side of the mosaic
@@ -237,17 +237,16 @@ class _Comparison:
         """What a source lacks of the mosaic at a place, nan where that can't be told, and the share of the place where
         the mosaic has pixels and it has none."""
         if (number, k) not in self._compared_places:
-            self._compared_places[number, k] = self._compare(number, k)
+            source, patch = self._patch(number, k) if number in self._over[k] else None, self._places[k][1]
+            lacking, missing = np.nan, 1.0
+            if source is not None:
+                size = self._opened(self._sources[number].ref).raster.ground_sample_distance
+                side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
+                if side <= MOST_AVERAGED_PX:
+                    lacking = _lacking(patch.averaged(side), source.averaged(side))
+                missing = float((patch.valid & ~source.valid).mean())
+            self._compared_places[number, k] = lacking, missing
         return self._compared_places[number, k]
-
-    def _compare(self, number: int, k: int) -> tuple[float, float]:
-        source, patch = self._patch(number, k) if number in self._over[k] else None, self._places[k][1]
-        if source is None:
-            return np.nan, 1.0
-        size = self._opened(self._sources[number].ref).raster.ground_sample_distance
-        side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
-        lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
-        return lacking, float((patch.valid & ~source.valid).mean())
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> _Patch:
         clip = read_clip(self._opened(ref), self._mosaic, window, partly=True)
@@ -257,11 +256,5 @@ class _Comparison:
 
 def _windows(mosaic: Raster) -> Iterator[PixelWindow]:
     """Patches that lie evenly from one end of the mosaic to the other."""
-    sizes = mosaic.rows, mosaic.columns
-    height, width = (min(SIDE_PX, size) for size in sizes)
-    counts = (min(max(size // SIDE_PX, FEWEST_PLACES), PLACES) for size in sizes)
-    rows, columns = (
-        np.linspace(0, size - side, count).astype(int).tolist()
-        for size, side, count in zip(sizes, (height, width), counts)
-    )
-    return (PixelWindow(column, row, width, height) for row in rows for column in columns)
+    down, across = (min(max(size // SIDE_PX, FEWEST_PLACES), PLACES) for size in (mosaic.rows, mosaic.columns))
+    return even_places(PixelWindow(0, 0, mosaic.columns, mosaic.rows), SIDE_PX, (down, across))

@@ -1,24 +1,27 @@
-"""One run of seam: request -> the new cut and the pixels of its patch, or why there is none."""
+"""One run of seam: request -> the new cut and its patch as a file, or why there is none."""
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from uuid import uuid4
 
 import numpy as np
-from osgeo import ogr
+from osgeo import gdal, gdal_array, ogr
 from scipy import ndimage
 
+from ....imagery import messages as imagery_messages
 from ....imagery.clips import Clip
 from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
+from ....imagery.gdal_calls import gdal_writing, taken_from_memory
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.limits import check_settings
 from ....imagery.lines import as_xy, burnt, points_along, straightened
 from ....imagery.raster_pool import open_raster
+from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import judged_plane
 from .. import messages
-from ..blocks.block_pixels import ALL_READ, JUDGED, BlockPixels
-from ..compared_image import ComparedImage
+from ..blocks.block_pixels import ALL_READ, BlockPixels
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.levelling import SQUARE_PX, square_means, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
@@ -29,7 +32,6 @@ from ..source_images import Source
 from ..workers import measuring
 from . import new_cut
 from .failed_runs import SeamRun
-from .mended_mosaic import patch_file
 from .new_cut import CELL_PX
 
 GROUND_PX = 192
@@ -234,7 +236,7 @@ class _Pixels:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
         refs = [source.ref for source in request.sources[:count]]
         block = BlockPixels(request.mosaic, refs, window)
-        self.window, self.mosaic = window, request.mosaic
+        self.window = window
         self.mosaic_clip, self.clips = block.held
         if any(side not in self.clips for side in _SIDES):
             raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))
@@ -242,7 +244,7 @@ class _Pixels:
 
     def valid(self, source: int) -> np.ndarray:
         """(rows, columns) bool: where the mosaic and this source have pixels; not its rim, mixed with nothing maybe."""
-        is_valid, source_valid = np.ones(self.planes.mosaic.shape, bool), self.clips[source].valid
+        is_valid, source_valid = np.ones(self.planes.mosaic.plane.shape, bool), self.clips[source].valid
         if source_valid is not None:
             is_valid &= source_valid & ~widened(opened(~source_valid, SQUARE_PX), _RIM_PX)
         return is_valid if self.mosaic_clip.valid is None else is_valid & self.mosaic_clip.valid
@@ -285,8 +287,7 @@ def _ground(read: _Pixels, part: _Part) -> JudgedGround:
 
     Where compression left too little to tell them by, what a scan says of the sides of the seam is believed.
     """
-    image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.mosaic_clip.valid)
-    sources = list(read.planes.sources.values())
+    image, sources = read.planes.mosaic, list(read.planes.sources.values())
     ground = judged_ground(image, sources, None)
     territory = enlarged(part.territory, CELL_PX) & (True if image.valid is None else image.valid)
     if np.count_nonzero(ground.expected.labels[territory] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(territory):
@@ -359,3 +360,32 @@ def _beside(index: PieceIndex, window: PixelWindow) -> NearestPieces:
 def _by_pixel(cells: np.ndarray) -> np.ndarray:
     """Linear between the middles of cells."""
     return to_pixels(cells, tuple(CELL_PX * length for length in cells.shape), CELL_PX)
+
+
+_COG = ["COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", "SPARSE_OK=TRUE"]
+_ROLES = {"red": gdal.GCI_RedBand, "green": gdal.GCI_GreenBand, "blue": gdal.GCI_BlueBand}
+
+
+def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: np.ndarray) -> np.ndarray:
+    """The bytes (n,) of a cloud-optimised GeoTIFF whose last band is alpha. Raises RasterError where memory lacks.
+
+    ``pixels``: (bands, rows, columns); ``inside``: (rows, columns) bool.
+    """
+    opaque = np.iinfo(pixels.dtype).max if pixels.dtype.kind != "f" else 255
+    made = np.where(inside, np.concatenate([pixels, np.full_like(pixels[:1], opaque)]), 0).astype(pixels.dtype)
+    kind = gdal_array.NumericTypeCodeToGDALTypeCode(pixels.dtype.type)
+    dataset = gdal.GetDriverByName("MEM").Create("", window.width, window.height, len(made), kind)
+    _, across, skew, _, down, height = mosaic.placement
+    x, y = mosaic.grid.to_map(window.column, window.row)
+    dataset.SetGeoTransform((x, across, skew, y, down, height))
+    dataset.SetProjection(mosaic.wkt)
+    for number, name in enumerate(mosaic.band_names, 1):
+        dataset.GetRasterBand(number).SetColorInterpretation(_ROLES.get(name, gdal.GCI_Undefined))
+    dataset.GetRasterBand(len(made)).SetColorInterpretation(gdal.GCI_AlphaBand)
+    dataset.WriteArray(made)
+    # GDAL takes alpha for a mask in grey and coloured images of 8 and 16 bits, without sign, only: others get one.
+    mask = "auto" if len(made) in (2, 4) and kind in (gdal.GDT_Byte, gdal.GDT_UInt16) else len(made)
+    path = f"/vsimem/patch_{uuid4().hex}.tif"
+    with whole_raster(path), gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
+        gdal.Translate(path, dataset, format="COG", creationOptions=_COG, maskBand=mask)
+    return np.frombuffer(taken_from_memory(path), np.uint8)

@@ -1,4 +1,6 @@
-"""Failed seams of a whole mosaic: request -> runs cut anew, their patches as files, and what a scan says of them.
+"""Failed seams of a whole mosaic: request -> runs cut anew, what a scan says of them, and the mended mosaic as a VRT.
+
+The mosaic lies below, and is never touched; the patches lie above.
 
 A scan's journal keeps what is made, so that a run that was stopped in any way goes on where it was.
 """
@@ -7,19 +9,25 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import product
 from operator import attrgetter
 from pathlib import Path
+from xml.sax.saxutils import escape
 
 import numpy as np
+from osgeo import gdal
 
+from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message
 from ....imagery.file_identity import check_is_file, refuse_overwriting
-from ....imagery.open_raster import describe_mosaic
+from ....imagery.gdal_calls import gdal_writing
+from ....imagery.grids import PixelWindow
+from ....imagery.open_raster import OpenRaster, describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
@@ -27,17 +35,15 @@ from ....imagery.records import Column
 from .. import messages
 from ..blocks.block_grid import BlockKey, ScanSettings
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanJournal, ScanStep, held, journal_beside
-from ..scan.piece_sums import around_pieces
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
 from ..seamlines.seam_features import source_numbers
-from ..seamlines.seam_pieces import PieceIndex, SidedSeam
+from ..seamlines.seam_pieces import PieceIndex, SidedSeam, around_pieces
 from ..source_images import Source
 from ..workers import Workers
 from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUND_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
-from .mended_mosaic import write_mended
 
 MENDED_KEPT = 0.9
 """kept_1 of a seam that counts as mended: less is the band of a seam profile."""
@@ -50,6 +56,8 @@ _WIDEST_PX = 800.0  # of a corridor on either side, so that memory does not grow
 _CORRIDOR_PX = 64.0
 _ONE_PIECE_M = 1e9
 _PATCHES = "patch_*.tif"
+MENDED_DOMAIN = "SEAM_INSPECTOR_MENDED"
+"""Metadata domain of a mended mosaic: how many patches lie on it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -280,6 +288,31 @@ def mending(request: MendRequest, patches: str, mended: str, read: Iterable[str]
     with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
+
+
+def write_mended(path: str, mosaic: Raster, patches: Mapping[str, PixelWindow]) -> None:
+    """The mosaic and above it its patches, where their alpha is set, as a VRT. Raises RasterError where it can't be
+    written.
+
+    ``patches``: their places in the mosaic's pixels by their files.
+    """
+    with whole_raster(path) as unfinished, gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
+        below = OpenRaster(mosaic.ref)
+        whole = gdal.GetDriverByName("VRT").CreateCopy("", below.dataset)
+        whole.SetProjection(mosaic.wkt)
+        placed = enumerate(patches.items())
+        for (number, index), (place, (patch, window)) in product(enumerate(below.roles.indices, 1), placed):
+            file = escape(os.path.abspath(patch))
+            size = f'xSize="{window.width}" ySize="{window.height}"'
+            source = (
+                f'<ComplexSource><SourceFilename relativeToVRT="0">{file}</SourceFilename>'
+                f"<SourceBand>{number}</SourceBand><UseMaskBand>true</UseMaskBand>"
+                f'<SrcRect xOff="0" yOff="0" {size}/>'
+                f'<DstRect xOff="{window.column}" yOff="{window.row}" {size}/></ComplexSource>'
+            )
+            whole.GetRasterBand(index + 1).SetMetadataItem(f"source_{place}", source, "new_vrt_sources")
+        whole.SetMetadataItem("patches", str(len(patches)), MENDED_DOMAIN)
+        Path(unfinished).write_text(whole.GetMetadata("xml:VRT")[0], encoding="utf-8")
 
 
 def _patch_name(number: int) -> str:

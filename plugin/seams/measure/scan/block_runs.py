@@ -31,7 +31,7 @@ from ....imagery.rasters import Raster
 from ....imagery.records import NotUnderstoodError, RecordFiles, RecordFolder, record_of, sentences_of, value_of
 from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .. import messages
-from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
+from ..blocks.block_grid import SQUARES, UNITS, BlockKey, place_of
 from ..blocks.block_pixels import ALL_READ, BlockReading
 from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from ..following.boxes import enlarged
@@ -335,18 +335,19 @@ FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=attrgetter("sources", "squ
 
 
 def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
-    """What was measured of one block by both looks, None where nothing was. Raises SettingsError as ``held`` does."""
+    """What was measured of one block by both looks, its sources by their numbers in the whole scan, int32, ``NONE``
+    where none is followed; None where nothing was. Raises SettingsError as ``held`` does."""
     first, second = (held(look, files, key) for look in (FIRST_LOOK, SECOND_LOOK))
-    return first if first is None or second is None else both_looks(first, second)
-
-
-def block_labels(
-    files: RecordFiles, key: BlockKey, place: tuple[slice, slice] = (slice(LABELS), slice(LABELS))
-) -> np.ndarray | None:
-    """(rows, columns) int32 of the labels of one block, in numbers of the whole scan, ``NONE`` where none is followed;
-    None where it was not measured. Raises SettingsError as ``held`` does."""
-    scan = whole_block(files, key)
-    return None if scan is None else global_numbers(scan.sources)[scan.labels[place]]
+    if first is None:
+        return None
+    scan: BlockScan = first if second is None else both_looks(first, second)
+    numbers, beside = global_numbers(scan.sources), scan.beside
+    return replace(
+        scan, labels=numbers[scan.labels], beside=replace(
+            beside, source=numbers[beside.source], other=numbers[beside.other]
+        ),
+        ground=np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)]),
+    )
 
 
 def global_numbers(sources: Sequence[int]) -> np.ndarray:

@@ -294,7 +294,7 @@ def _shifts_at(request: ScanRequest, place: GroundPlace) -> Iterator[tuple[float
         planes = BlockPixels(request.mosaic, refs, window, None).part(window, range(len(refs)))
     except RasterError:  # which the blocks told
         return
-    mosaic = square_shares(planes.mosaic, _STEP_PX)
+    mosaic = square_shares(planes.mosaic.plane, _STEP_PX)
     for source in planes.sources.values():
         valid = None if source.valid is None else square_shares(source.valid, _STEP_PX) == 1
         if (shift := find_shift(mosaic, square_shares(source.plane, _STEP_PX), valid)) is not None:

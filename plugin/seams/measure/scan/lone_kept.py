@@ -87,20 +87,15 @@ class LoneSeams:
             self._prepare()
 
     def kept(self, pieces: Sequence[int] | None = None) -> LoneKept | None:
-        """What some pieces kept together, or all; None where too little of them or of the ground can be measured."""
-        if pieces is None:
-            return self._kept(np.flatnonzero(self._usable))
-        spans = [self._span(number) for number in sorted(set(pieces))]
-        return self._kept(np.concatenate([np.zeros(0, np.intp), *spans]))
+        """What pieces that follow one another kept together, or all; None where too little of them or of the ground can
+        be measured."""
+        first, last = (pieces[0], pieces[-1]) if pieces is not None else (0, len(self.seam_ids))
+        span = slice(*np.searchsorted(self._stretches.piece, (first, last + 1)).tolist())
+        return self._kept(span.start + np.flatnonzero(self._usable[span]))
 
     def by_piece(self) -> list[LoneKept | None]:
         """What every piece kept for itself."""
-        return [self._kept(self._span(number)) for number in range(len(self.seam_ids))]
-
-    def _span(self, piece: int) -> np.ndarray:
-        """The stretches of a piece that take part."""
-        first, last = (int(np.searchsorted(self._stretches.piece, piece, side)) for side in ("left", "right"))
-        return np.arange(first, last)[self._usable[first:last]]
+        return [self.kept((number,)) for number in range(len(self.seam_ids))]
 
     @property
     def judgeable_px(self) -> float | None:

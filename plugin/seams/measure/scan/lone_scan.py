@@ -14,7 +14,7 @@ from ..blocks.block_grid import BLOCK_PX, UNITS, BlockKey, blocks_near, place_of
 from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
-from ..seamlines.seam_pieces import PieceIndex
+from ..seamlines.seam_pieces import PieceIndex, around_pieces
 from ..workers import Workers, measuring
 from .block_runs import BlockLook, JournaledBlocks, ScanJournal, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
@@ -27,7 +27,7 @@ from .lone_stretches import (
     lone_cells,
     lone_stretches,
 )
-from .piece_sums import NODATA, LossRaster, around_pieces, blocks_of, by_blocks, empty_cells, loss_raster
+from .piece_sums import NODATA, LossRaster, blocks_of, by_blocks, empty_cells, loss_raster
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
@@ -57,7 +57,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
     """The cells along the seams of a block, which are its ``pieces``. What can't be read is told in its notices."""
     assert request.wanted is not None
     assert request.pieces is not None
-    tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
+    tables: list[LoneTable] = []
     notices: list[Message] = []
     unread: list[PixelWindow] = []
     parts = rectangles(request.wanted)
@@ -72,14 +72,14 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
             notices.append(error.message.as_warning())
             unread.append(window)
         else:
-            clip, judged = pixels.held[0], pixels.part(around, ()).mosaic
+            clip, judged = pixels.held[0], pixels.part(around, ()).mosaic.plane
             image = ComparedImage(
                 clip.bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid, judged=judged
             )
             near = request.pieces.near(around, REACH_PX)
             tables.append(lone_cells(image, around, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
-    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
+    return LoneScan(request.key, LoneTable.of_all(tables), tuple(dict.fromkeys(notices)), reading)
 
 
 LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, LoneScan)
@@ -122,8 +122,7 @@ class LoneScanning:
             near = blocks_of(around_pieces(pieces_here, mosaic.grid, BLOCK_PX), self._blocks)
             tables = [scan.table for key in near if (scan := self._scan(key)) is not None]
             if tables:
-                table = LoneTable.joined(tables)
-                parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
+                parts.append(lone_stretches(LoneTable.of_all(tables), self._pieces, numbers, self._index, pixel_m))
             workers.tell(0.8 * done / len(groups))
         pieces: list[JudgedPiece] = []
         stretches: list[JudgedPiece] = []

@@ -50,10 +50,15 @@ class LoneTable(Rows):
     it."""
 
     @classmethod
-    def empty(cls, colours: int = _COLOURS) -> LoneTable:
+    def empty(cls) -> LoneTable:
         """A table without rows."""
         place, number = np.zeros(0, np.int32), np.zeros(0, np.float32)
-        return cls(place, place, np.zeros(0, np.uint8), number, number, np.zeros((colours, 0), np.float32))
+        return cls(place, place, np.zeros(0, np.uint8), number, number, np.zeros((_COLOURS, 0), np.float32))
+
+    @classmethod
+    def of_all(cls, tables: Sequence[LoneTable]) -> LoneTable:
+        """Tables of one mosaic as one; those without rows tell nothing of its colours."""
+        return cls.joined([table for table in tables if len(table)] or [cls.empty()])
 
 
 def lone_cells(
@@ -77,7 +82,7 @@ def lone_cells(
         full = in_squares(valid, CELL_PX).all(axis=(1, 3))
         near &= ndimage.binary_erosion(full, np.ones((3, 3)), border_value=1)[place]  # whose neighbours are full, too
     if not near.any():
-        return LoneTable.empty(_COLOURS if len(bands) >= _COLOURS else 1)
+        return LoneTable.empty()
     if valid is not None:
         plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
     (details,) = placed_components(plane[np.newaxis], wavelet, 1)

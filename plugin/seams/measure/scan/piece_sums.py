@@ -34,10 +34,10 @@ from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..seam_cells import NONE
-from ..seamlines.seam_pieces import PieceIndex, SeamPiece, sources_beside
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, around_pieces, sources_beside
 from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..workers import measuring
-from .block_runs import block_labels, global_numbers, whole_block
+from .block_runs import whole_block
 from .scan_result import PieceFigures
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
@@ -198,39 +198,34 @@ def block_outputs(
     ``size``: columns and rows of labels of the whole mosaic; ``cell_px``: side of the picture's cells, 0 where none is
     wanted; ``traces``: whether borders are.
     """
-    scan = whole_block(files, key)
-    numbers = global_numbers(() if scan is None else scan.sources)
-    labels = None if scan is None else numbers[scan.labels]
-    edges = np.zeros((4, 0), np.int64)
+    scan, edges = whole_block(files, key), np.zeros((4, 0), np.int64)
     tile = _label_tile(key).cut_to(*size)
     if traces and tile.width and tile.height:
         around = tile.with_margin(MARGIN).cut_to(*size)
-        edges = cleaned_edges(_labels_in(around, files, key, labels), tile, size, LABEL_PX)
-    if scan is None or labels is None:
+        edges = cleaned_edges(_labels_in(around, files, key, scan), tile, size, LABEL_PX)
+    if scan is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
-    cells = loss_cells(scan, labels + 1, _ground_of(files, key, scan), cell_px) if cell_px else None
+    cells = loss_cells(scan, scan.labels + 1, _ground_of(files, key, scan), cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
-    used = np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]).tolist()
-    ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
-    return BlockOutputs(key, edges, cells, used, ground)
+    used = np.flatnonzero(np.bincount(scan.labels.ravel() - NONE)[1:]).tolist()
+    return BlockOutputs(key, edges, cells, used, scan.ground)
 
 
 def _label_tile(key: BlockKey) -> PixelWindow:
     return PixelWindow(key[1] * LABELS, key[0] * LABELS, LABELS, LABELS)
 
 
-def _labels_in(around: PixelWindow, files: RecordFiles, key: BlockKey, of_block: np.ndarray | None) -> np.ndarray:
-    """Labels of a block, ``of_block``, and of as much of its neighbours as cleaning has to know."""
+def _labels_in(around: PixelWindow, files: RecordFiles, key: BlockKey, scan: BlockScan | None) -> np.ndarray:
+    """Labels of a block, and of as much of its neighbours as cleaning has to know."""
     labels_around = np.full((around.height, around.width), NONE, np.int32)
     rows, columns = squares_met(around, LABELS)
     for beside in product(range(rows.start, rows.stop), range(columns.start, columns.stop)):
         tile = _label_tile(beside).moved_by(-around.column, -around.row)
         shared = tile.cut_to(around.width, around.height)
-        place = squares_met(shared.moved_by(-tile.column, -tile.row), 1)
-        labels = block_labels(files, beside, place) if of_block is None or beside != key else of_block[place]
-        if labels is not None:
-            labels_around[squares_met(shared, 1)] = labels
+        if (held := scan if beside == key else whole_block(files, beside)) is not None:
+            place = squares_met(shared.moved_by(-tile.column, -tile.row), 1)
+            labels_around[squares_met(shared, 1)] = held.labels[place]
     return labels_around
 
 
@@ -254,10 +249,8 @@ def measure_pieces(
         window = blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
-            whole = global_numbers(scan.sources)
-            mixture = replace(scan.beside, source=whole[scan.beside.source], other=whole[scan.beside.other])
             ground = _ground_of(files, key, scan)
-            sums.add(scan.cells.within(place), mixture.within(place), ground, window, scan.grey)
+            sums.add(scan.cells.within(place), scan.beside.within(place), ground, window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
@@ -293,14 +286,6 @@ def without_even(strips: Sequence[StripProfile], grain: np.ndarray, grey: np.nda
     return [replace(strip, profile=None) if even else strip for strip, even in zip(strips, is_even.tolist())]
 
 
-def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
-    """The pixels within reach of them."""
-    places = np.concatenate([grid.to_pixels(piece.vertices) for piece in pieces])
-    left, top = np.floor(places.min(axis=0) - reach_px).astype(int).tolist()
-    right, bottom = np.ceil(places.max(axis=0) + reach_px).astype(int).tolist()
-    return PixelWindow(left, top, right - left, bottom - top)
-
-
 def blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
     """The blocks that a window meets, row by row."""
     rows, columns = squares_met(around.cut_to(blocks.grid.columns, blocks.grid.rows), BLOCK_PX)
@@ -323,9 +308,9 @@ def _labels_at(files: RecordFiles, blocks: BlockGrid, columns: np.ndarray, rows:
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
     number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
     for block in np.unique(number[inside]).tolist():
-        labels, in_block = block_labels(files, divmod(block, blocks.columns)), number == block
-        if labels is not None:
-            labels_at[in_block] = labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
+        scan, in_block = whole_block(files, divmod(block, blocks.columns)), number == block
+        if scan is not None:
+            labels_at[in_block] = scan.labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
     return labels_at
 
 

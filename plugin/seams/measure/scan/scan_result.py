@@ -25,7 +25,8 @@ from .. import messages
 from ..following.likely_source import MIN_FIT
 from ..judgement.verdicts import Verdict, judge_profile
 from ..judgement.visibility import visibility
-from ..planning.window_placing import PlacedWindow, WindowIndex
+from ..limits import MEASURABLE_SIDE_PX
+from ..planning.window_placing import SIDES_ACROSS, PlacedWindow, WindowIndex
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..profile.seam_sums import StripProfile
 from ..seamlines.seam_pieces import SeamPiece
@@ -151,10 +152,6 @@ def metres(pieces: Sequence[JudgedPiece], *states: PieceState) -> float:
     return math.fsum(piece.piece.length_m for piece in pieces if not states or piece.state in states)
 
 
-WINDOWS_ALONG = 4
-"""Windows that have to fit along the mosaic's shorter side."""
-LEAST_SIDE_PX = 256
-"""Smaller windows tell too little of a seam."""
 SMALLEST_SIDE_PX = 128
 """Beside missing pixels; below it there is no ground around the seam to compare it with."""
 
@@ -193,7 +190,7 @@ def worst_windows(
 def window_side_px(grid: Grid, levels: int) -> int:
     """The standard side; of a mosaic that hardly holds such windows a part of it, so that they tell places apart."""
     side, shorter = standard_side_px(grid, imagery_limits.STANDARD_SIDE_M), min(grid.columns, grid.rows)
-    while side > LEAST_SIDE_PX and side * WINDOWS_ALONG > shorter:
+    while side > MEASURABLE_SIDE_PX and side * SIDES_ACROSS > shorter:
         side //= 2
     side = min(side, shorter)
     return side - side % 2**levels

@@ -35,8 +35,8 @@ from ..judgement.visibility import white_grey
 from ..profile.cell_table import CELL_PX
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
-from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, SidedSeam, around_pieces, cut_in_pieces, sided
+from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
 from . import piece_sums, scan_result
@@ -178,7 +178,7 @@ class Gathering:
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
-    def _borders(self, raster: piece_sums.LossRaster | None, workers: Workers, traces: bool) -> list[SourceBorder]:
+    def _borders(self, raster: piece_sums.LossRaster | None, workers: Workers, traces: bool) -> list[SidedSeam]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
         edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
         cell_px = self._request.settings.cell_px if raster is not None else 0
@@ -205,7 +205,7 @@ class Gathering:
         def near(numbers: np.ndarray) -> piece_sums.Pieces:
             held = [pieces[number] for number in numbers.tolist()]
             # With what lies nearer to a cell than any of them.
-            around = piece_sums.around_pieces(held, self._blocks.grid, 2 * piece_sums.REACH_PX)
+            around = around_pieces(held, self._blocks.grid, 2 * piece_sums.REACH_PX)
             return held, numbers, index.near(around, 0.0)
 
         of_piece, brightest = dict[int, PieceFigures](), 0.0

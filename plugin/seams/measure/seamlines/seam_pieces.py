@@ -101,6 +101,14 @@ def joined_pieces(pieces: Sequence[SeamPiece]) -> SeamPiece:
     return replace(first, vertices=vertices, length_m=sum(piece.length_m for piece in pieces))
 
 
+def around_pieces(pieces: Iterable[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
+    """The pixels within reach of some pieces."""
+    places = np.concatenate([grid.to_pixels(piece.vertices) for piece in pieces])
+    left, top = np.floor(places.min(axis=0) - reach_px).astype(int).tolist()
+    right, bottom = np.ceil(places.max(axis=0) + reach_px).astype(int).tolist()
+    return PixelWindow(left, top, right - left, bottom - top)
+
+
 def cut_off(seams: Iterable[SidedSeam], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
     """How many metres of the seams lie outside the mosaic; None where that is less than a metre."""
     scale = np.array([grid.metres_x, grid.metres_y])
@@ -298,11 +306,6 @@ class PieceIndex:
         place = np.arange(len(of_point)) - np.repeat(np.cumsum(number) - number, number) + first[of_point]
         share = (place + 0.5) / counts[of_point]
         points = stretches["start"][of_point] + share * stretches["step"][of_point]
-        # What is out of reach isn't looked up.
-        reached = (abs(points.real - column - width / 2) <= width / 2 + reach_px + STEP_PX) & (
-            abs(points.imag - row - height / 2) <= height / 2 + reach_px + STEP_PX
-        )
-        points, of_point = points[reached], of_point[reached]
         if not len(points):
             return np.empty(0, dtype=int), stretches[:0]
         tree = cKDTree(as_xy(points), balanced_tree=False, compact_nodes=False)

@@ -14,9 +14,10 @@ from __future__ import annotations
 
 import struct
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
+from operator import itemgetter
 
 import numpy as np
 from osgeo import ogr
@@ -165,30 +166,16 @@ def _chained(start: np.ndarray, stop: np.ndarray) -> list[list[int]]:
     return [*chains, *rings]
 
 
-@dataclass(frozen=True, eq=False)
-class SourceBorder:
-    """A border of what follows one source, from one junction to the next, or a ring; seams are those that have a source
-    on either side."""
-
-    vertices: np.ndarray
-    """(n, 2) float64 map units, n >= 2, first and last equal when it is a ring."""
-    left: int
-    """Number of the source on the left hand of who walks along it, the lower one; ``NONE`` where it is an outline."""
-    right: int
-    """Number of the source on the right hand."""
-    keys: tuple[int, int]
-    """What its ends are known by: borders with an end of the same key meet there."""
-
-
-def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
+def seams_of(borders: Iterable[SidedSeam]) -> list[SidedSeam]:
     """The borders that have a source on either side, longest first."""
-    seams = [SidedSeam(border.vertices, border.left, border.right) for border in borders if border.left != NONE]
+    seams = [border for border in borders if border.left != NONE]
     # Rounded, so that equal lengths stay equal; then from the north to the south.
     return sorted(seams, key=lambda seam: (-round(seam.length, 6), -seam.vertices[0, 1], seam.vertices[0, 0]))
 
 
-def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4) -> list[SourceBorder]:
-    """The seams and outlines that the edges of all tiles of labels, (4, n), make, by the nodes where they begin.
+def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4) -> list[SidedSeam]:
+    """The borders that the edges of all tiles of labels, (4, n), make, by the nodes where they begin: each from one
+    junction to the next, or a ring. The lower number is on the left, ``NONE`` of an outline; seams are the others.
 
     A label stands for the middle of ``label_px`` x ``label_px`` pixels of ``grid``, ``columns`` of them lie side by
     side; it is the number of a source or -1 for none. Ends that meet in a junction are equal to the last digit.
@@ -200,11 +187,11 @@ def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4
     for group in _chained(start, stop):
         nodes = np.append(start[group], stop[group[-1]])
         row, column = np.divmod(nodes // 2, columns + 1)
-        sides, keys = (int(left[group[0]]), int(right[group[0]])), (int(nodes[0]), int(nodes[-1]))
+        sides = int(left[group[0]]), int(right[group[0]])
         path = _regularised(np.column_stack([column, row]).astype(float), is_outline=sides[0] == NONE)
         places = np.minimum(path * label_px, (grid.columns, grid.rows))
-        borders.append(SourceBorder(corner + places * pixel, *sides, keys))
-    return sorted(borders, key=lambda border: (border.keys, border.left, border.right))
+        borders.append(((nodes[0], nodes[-1], *sides), SidedSeam(corner + places * pixel, *sides)))
+    return [border for _, border in sorted(borders, key=itemgetter(0))]
 
 
 def _regularised(path: np.ndarray, is_outline: bool) -> np.ndarray:
@@ -235,49 +222,23 @@ class SourcePolygon:
     """Multipolygon in map units."""
 
 
-def polygons_of(borders: Iterable[SourceBorder]) -> list[SourcePolygon]:
+def polygons_of(borders: Iterable[SidedSeam]) -> list[SourcePolygon]:
     """The polygons between borders, by number of source. Neighbours share their border, vertex by vertex."""
-    # Each border once in the direction that has the source on its left.
-    sides: defaultdict[int, dict[int, tuple[int, np.ndarray]]] = defaultdict(dict)
-    rings: defaultdict[int, list[np.ndarray]] = defaultdict(list)
+    lines: defaultdict[int, ogr.Geometry] = defaultdict(lambda: ogr.Geometry(ogr.wkbMultiLineString))
     for border in borders:
-        for source, backward in ((border.left, False), (border.right, True)):
-            if source == NONE:
-                continue
-            vertices = border.vertices[::-1] if backward else border.vertices
-            start, stop = border.keys[::-1] if backward else border.keys
-            if start == stop:
-                rings[source].append(vertices)
-            else:
-                sides[source][start] = stop, vertices
-    for source, leaving in sides.items():
-        rings[source] += _joined(leaving)
-    return [SourcePolygon(source, _multipolygon(rings[source])) for source in sorted(rings)]
-
-
-def _joined(leaving: dict[int, tuple[int, np.ndarray]]) -> list[np.ndarray]:
-    """Borders end to end as rings. ``leaving``: by the node where it starts, the node where each stops and its path.
-
-    At a node a source has one border that comes in and one that goes out: nodes where it has two are two nodes.
-    """
-    rings = []
-    while leaving:
-        first, (node, path) = leaving.popitem()
-        paths = [path]
-        while node != first:
-            node, path = leaving.pop(node)
-            paths.append(path)
-        rings.append(np.concatenate([paths[0][:1], *(path[1:] for path in paths)]))
-    return rings
-
-
-def _multipolygon(rings: Sequence[np.ndarray]) -> bytes:
-    """What lies inside an odd number of rings: outlines and holes; as it is valid where smoothing made them cross."""
-    held = [struct.pack("<I", len(ring)) + ring.astype("<f8").tobytes() for ring in rings]
-    polygon = ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
-    with gdal_silenced():
-        valid = polygon if polygon.IsValid() else polygon.MakeValid()
-    return bytes(multipolygon([valid]).ExportToWkb(ogr.wkbNDR))
+        head = struct.pack("<BII", 1, ogr.wkbLineString, len(border.vertices))
+        line = ogr.CreateGeometryFromWkb(head + border.vertices.astype("<f8").tobytes())
+        for source in (border.left, border.right):
+            if isinstance(source, int) and source != NONE:
+                lines[source].AddGeometry(line)
+    polygons = []
+    for source, around in sorted(lines.items()):
+        with gdal_silenced():
+            polygon = ogr.BuildPolygonFromEdges(around)
+            # What lies inside an odd number of rings, as it is valid where smoothing made them cross.
+            valid = polygon if polygon.IsValid() else polygon.MakeValid()
+        polygons.append(SourcePolygon(source, bytes(multipolygon([valid]).ExportToWkb(ogr.wkbNDR))))
+    return polygons
 
 
 def multipolygon(geometries: Iterable[ogr.Geometry]) -> ogr.Geometry:

@@ -22,8 +22,7 @@ from ....imagery.raster_pool import ReadEach, one_by_one
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import Curve, check_decomposition, judged_plane, measure_bands, measure_directions
 from .. import limits, messages
-from ..compared_image import MeasuredClip
-from ..inputs.grey_values import read_grey_clip
+from ..compared_image import MeasuredClip, read_grey_clip
 from ..judgement.verdicts import Judgement, Ratios, Verdict, judge
 from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
@@ -39,15 +38,10 @@ ENOUGH_PX = 512
 
 def surroundings(window: PixelWindow, mosaic: Raster, levels: int) -> PixelWindow:
     """A window with its margin, in whole cells and multiples of 2^R, inside the mosaic."""
-    step = max(CELL_PX, 2 ** int(levels))
-
-    def margins(first: int, length: int, end: int) -> tuple[int, int]:
-        wanted = min(MARGIN_PX, max(ENOUGH_PX - length, 0) // 2)
-        before, after = (min(wanted, max(there, 0)) // step * step for there in (first, end - first - length))
-        return before, after
-
-    left, right = margins(window.column, window.width, mosaic.columns)
-    top, bottom = margins(window.row, window.height, mosaic.rows)
+    across, down = (min(MARGIN_PX, max(ENOUGH_PX - side, 0) // 2) for side in (window.width, window.height))
+    wanted = PixelWindow(window.column - across, window.row - down, window.width + 2 * across, window.height + 2 * down)
+    margins, step = wanted.cut_to(mosaic.columns, mosaic.rows).margins_of(window), max(CELL_PX, 2 ** int(levels))
+    (top, bottom), (left, right) = ((before // step * step, after // step * step) for before, after in margins)
     return PixelWindow(
         window.column - left, window.row - top, window.width + left + right, window.height + top + bottom
     )

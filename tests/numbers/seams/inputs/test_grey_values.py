@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.inputs.grey_values import USUAL_RANGE, factor_of
+from seam_inspector.plugin.seams.measure.compared_image import USUAL_RANGE, factor_of
 
 
 @pytest.mark.parametrize("widest", [1e-6, 1.0, 1.4, 3e5, 1e12])

@@ -9,10 +9,8 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.mending.mended_mosaic import (
-    patch_file,
-    write_mended,
-)
+from seam_inspector.plugin.seams.measure.mending.mend_run import patch_file
+from seam_inspector.plugin.seams.measure.mending.mending import write_mended
 
 from tests.numbers.synthetic import write_raster
 

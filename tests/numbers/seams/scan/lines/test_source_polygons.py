@@ -6,12 +6,8 @@ import pytest
 from osgeo import ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import (
-    SourceBorder,
-    polygons_of,
-    seams_of,
-    trace_borders,
-)
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SidedSeam
+from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import polygons_of, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import LABEL_PX, edges_of, estimated
 
@@ -23,7 +19,7 @@ def grid_of(labels: np.ndarray) -> Grid:
     return Grid(576000.0, 5188000.0, 0.5, 0.5, columns * LABEL_PX, rows * LABEL_PX)
 
 
-def borders_of(labels: np.ndarray, side: int = 64) -> list[SourceBorder]:
+def borders_of(labels: np.ndarray, side: int = 64) -> list[SidedSeam]:
     edges = edges_of(labels.astype(np.int16), side)
     return trace_borders(edges, grid_of(labels), labels.shape[1], LABEL_PX)
 
