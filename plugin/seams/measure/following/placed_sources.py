@@ -25,8 +25,6 @@ FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
 ALIKE_SHIFTS_PX = 0.2
 MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
 MAX_LEFT = 0.5  # of what was left over, when moved sources explain a part that had none
-MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
-MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
 
@@ -104,7 +102,7 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
     first = follow_given(image, images)
     plain = first.following
-    unexplained, unclear = float(plain.unexplained.mean()), plain.unclear_share
+    unexplained = float(plain.unexplained.mean())
     # Where another source fits well, one that lies elsewhere is hardly followed.
     idle = {i for i, share in enumerate(plain.shares) if share < MIN_BOTH_SHARE}
     may_lie_elsewhere = bool(idle) and plain.fit < MIN_IDLE_FIT
@@ -123,10 +121,9 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     both = _without_idle_planes(_with_moved(first, moved))
     by_moved = both.following
     explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and by_moved.unexplained.mean() <= MAX_LEFT * unexplained
-    is_clearer = unclear >= MIN_UNCLEAR_SHARE and by_moved.unclear_share <= MAX_UNCLEAR_LEFT * unclear
     finds_idle = may_lie_elsewhere and 1 - by_moved.fit <= MAX_LEFT * (1 - plain.fit)
     is_better = by_moved.fit >= plain.fit + MIN_FIT_GAIN
-    return both if explains_part or is_clearer or finds_idle or is_better else first
+    return both if explains_part or finds_idle or is_better else first
 
 
 def _with_moved(given: PlacedSources, moved: Mapping[int, Shift]) -> PlacedSources:
