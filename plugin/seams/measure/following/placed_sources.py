@@ -16,7 +16,7 @@ from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN
 from .boxes import narrowed
 from .followed_source import HIGH_PASS_PX, FollowedSource, follow_planes, high_pass
-from .source_filters import REACH_PX, UNFILTERED, Filters
+from .source_filters import REACH_PX, UNFILTERED, Filters, filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
@@ -25,6 +25,8 @@ FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
 ALIKE_SHIFTS_PX = 0.2
 MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
 MAX_LEFT = 0.5  # of what was left over, when moved sources explain a part that had none
+MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when filters tell more
+MIN_UNCLEAR_SHARE = 0.3  # of the pixels: a filter may tell more
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
 
@@ -100,7 +102,7 @@ def _fine_details(mosaic: ComparedImage, planes: Sequence[np.ndarray]) -> tuple[
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
     """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
-    first = follow_given(image, images)
+    first = _clearer_in_window(follow_given(image, images))
     plain = first.following
     unexplained = float(plain.unexplained.mean())
     # Where another source fits well, one that lies elsewhere is hardly followed.
@@ -134,6 +136,21 @@ def _with_moved(given: PlacedSources, moved: Mapping[int, Shift]) -> PlacedSourc
         given, following=follow_planes(fine), planes=(*given.planes, *placed), fine=fine,
         source_of=(*given.source_of, *moved), moves=dict(enumerate(moved.values(), len(given.planes))),
     )
+
+
+def _clearer_in_window(given: PlacedSources) -> PlacedSources:
+    """Images of one scene that lie on other pixels than the mosaic are more like each other than like it: a filter is
+    learned of the whole window, of which a part follows its source."""
+    if given.following.unclear_share < MIN_UNCLEAR_SHARE or len(given.images) < 2:
+        return given
+    everywhere = np.ones(given.fine[0].shape, bool)
+    (mosaic, *fine), through = given.fine, []
+    for number, plane in enumerate(fine):
+        taps = fit_filter(mosaic, plane, given.valid.get(number, everywhere))
+        through.append(plane if taps is None else filtered(plane, taps))
+    plain, clearer = given.following, follow_planes([mosaic, *through])
+    is_clearer = clearer.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share and clearer.fit >= plain.fit
+    return replace(given, following=clearer) if is_clearer else given
 
 
 def _is_of_all(shifts: Sequence[Shift | None]) -> bool:

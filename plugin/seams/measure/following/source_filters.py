@@ -80,11 +80,13 @@ def filtered(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
 MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
 MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
 MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
+MOST_LEFT_OF_BEST = 0.5  # of what is left over of the ground that is explained best, by a filter that is learned there
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
 
 _FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
 _ROUNDS = 3
+_SQUARE_PX = 32  # of which whole ones are of one image or another
 _LEAST_OF_SQUARE = 0.4  # of its pixels that count
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
 """Index of the sampled rows and columns of a plane, every fourth."""
@@ -176,19 +178,39 @@ def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) ->
     if _is_a_multiple(mosaic[SAMPLE], source[SAMPLE], sample.astype(np.uint8), sample, MAX_LEFT_UNFILTERED):
         return source
     taps = fit_filter(mosaic, source, where)
-    made = source if taps is None else filtered(source, taps)
-    return made if _explains_more(mosaic, source, made, where) else source
+    if taps is None:
+        return source
+    made = filtered(source, taps)
+    shown = made if _explains_more(mosaic, source, made, where) else source
+    return _of_best_ground(mosaic, source, shown, where)
 
 
-def best_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, side_px: int) -> np.ndarray | None:
-    """Taps (5, 5) of a source by the half of a part that it explains best (least trimmed squares, Rousseeuw 1984).
+def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """``shown``, the source through the filter of all its ground; through that of the half that is explained best where
+    that tells that the rest is of another image: it explains this half far better (least trimmed squares, Rousseeuw
+    1984)."""
+    best = _best_explained(mosaic, source, where)
+    for _ in range(_ROUNDS):
+        taps = fit_filter(mosaic, source, best)
+        if taps is None:
+            break
+        made = filtered(source, taps)
+        observed, before, after = _chosen(best[SAMPLE], *(plane[SAMPLE] for plane in (mosaic, shown, made)))
+        if np.square(observed - after).sum() > MOST_LEFT_OF_BEST * np.square(observed - before).sum():
+            break
+        shown, best = made, _best_explained(mosaic, made, where)
+    return shown
 
-    Images of one scene are more like each other than like a mosaic that something came over, and the sharpest would be
-    followed everywhere, if they were compared as they are. None where too few pixels count, or where it explains no
-    more of the other half, as of an image that was warped from place to place.
 
-    ``mosaic``, ``source``: high-passed, (rows, columns); ``where``, (rows, columns) bool: the part, whose squares of
-    ``side_px`` are each told as a whole.
+def best_filter(
+    mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, side_px: int = _SQUARE_PX
+) -> np.ndarray | None:
+    """Taps (5, 5) of a source by the half of a part that it explains best, square by square (least trimmed squares,
+    Rousseeuw 1984). Images of one scene are more like each other than like a mosaic that something came over, and the
+    sharpest would be followed everywhere, if they were compared as they are. None where too few pixels count, or where
+    it explains no more of the other half, as of an image that was warped from place to place.
+
+    ``mosaic``, ``source``: high-passed, (rows, columns); ``where``, (rows, columns) bool: the part.
     """
     taps, shown = None, source
     for _ in range(_ROUNDS):
@@ -200,7 +222,9 @@ def best_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, side_
     return taps if _explains_more(mosaic, source, shown, where & ~best) else None
 
 
-def _best_explained(mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray, side_px: int) -> np.ndarray:
+def _best_explained(
+    mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray, side_px: int = _SQUARE_PX
+) -> np.ndarray:
     """The half of a part, (rows, columns) bool, that a source is correlated with best, square by square."""
     inside = np.float32(where)
     m, s = mosaic * inside, shown * inside

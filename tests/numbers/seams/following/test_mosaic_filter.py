@@ -9,6 +9,7 @@ from seam_inspector.plugin.seams.measure.following.source_filters import (
     REACH_PX,
     filter_power,
     fit_filter,
+    through_filter,
 )
 
 from tests.numbers.synthetic import texture
@@ -57,6 +58,19 @@ def test_the_taps_are_those_that_were_applied(plane: np.ndarray, kernel: str, ga
     made = ndimage.correlate(plane, KERNELS[kernel], mode="nearest")
     fitted = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain)
     assert np.abs(fitted - KERNELS[kernel]).max() < (0.02 if gain else 0.05)
+
+
+@pytest.mark.parametrize("kernel", ["nothing", "unsharp", "half a pixel, cubic", "blur 0.6 px"])
+def test_ground_of_another_image_does_not_spoil_the_filter(plane: np.ndarray, kernel: str) -> None:
+    """Two fifths of the mosaic are of an image that shows the same ground 2 px beside, as a neighbour that is not given
+    does: the source explains its own part as if all were its."""
+    beside = np.roll(plane, (2, 1), (0, 1))
+    is_own = np.arange(SHAPE[1]) < 0.6 * SHAPE[1]
+    made = ndimage.correlate(np.where(is_own, plane, beside), KERNELS[kernel], mode="nearest")
+    filtered, source = high_pass(made), high_pass(plane)
+    result = through_filter(filtered, source, EVERYWHERE)
+    part = np.s_[12:-12, 12 : int(0.6 * SHAPE[1]) - 12]
+    assert np.square(filtered - result)[part].mean() < 0.005 * np.square(filtered)[part].mean()
 
 
 def power_of(plane: np.ndarray, shown: np.ndarray) -> float:
