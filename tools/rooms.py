@@ -33,8 +33,8 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(4658, 0, 0),
-    "plugin/seams/measure": Measures(16264, 1, 0),
+    "plugin/imagery": Measures(4660, 0, 0),
+    "plugin/seams/measure": Measures(16302, 1, 0),
     "plugin/seams": Measures(12994, 0, 0),
     "plugin/acceptance": Measures(5399, 1, 0),
     "plugin/toolkit": Measures(4302, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5082, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1062, 0, 0),
-    "tests": Measures(47970, 0, 0),
+    "tests": Measures(47984, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 

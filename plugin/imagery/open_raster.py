@@ -98,11 +98,13 @@ class OpenRaster:
     again, in a raster that is opened anew, before that.
     """
 
-    def __init__(self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
-        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome.
+    def __init__(self, ref: RasterRef | str, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
+        """``ref``: where it is, or its path; ``dataset``: what was made of the raster in memory, instead of its file;
+        ``complex_values`` may be welcome.
 
         Raises RasterError when it can't be opened or used.
         """
+        ref = RasterRef(ref) if isinstance(ref, str) else ref
         self.ref, self.is_broken = ref, False
         self._is_remote = bool(remote_parts(ref.path))  # looked at once: a VRT may name thousands of files
         self.dataset: Any = dataset
