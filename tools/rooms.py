@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4678, 0, 0),
-    "plugin/seams/measure": Measures(16362, 1, 0),
+    "plugin/seams/measure": Measures(16363, 1, 0),
     "plugin/seams": Measures(12994, 0, 0),
     "plugin/acceptance": Measures(5399, 1, 0),
     "plugin/toolkit": Measures(4368, 0, 0),
