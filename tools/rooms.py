@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4660, 0, 0),
-    "plugin/seams/measure": Measures(16302, 1, 0),
+    "plugin/seams/measure": Measures(16303, 1, 0),
     "plugin/seams": Measures(12994, 0, 0),
     "plugin/acceptance": Measures(5399, 1, 0),
     "plugin/toolkit": Measures(4302, 0, 0),

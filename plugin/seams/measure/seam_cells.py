@@ -55,7 +55,8 @@ def is_one_of(labels: np.ndarray, numbers: Iterable[int]) -> np.ndarray:
 
 def present(labels: np.ndarray) -> list[int]:
     """The sources that any pixel follows."""
-    return np.flatnonzero(np.bincount(labels.ravel(), minlength=UNKNOWN + 1)[:UNKNOWN]).tolist()
+    count = int((labels.astype(np.uint8, copy=False) + np.uint8(1)).max(initial=0))  # which makes 0 of UNKNOWN
+    return [number for number in range(count) if (labels == number).any()]
 
 
 def source_stem(name: str) -> str:

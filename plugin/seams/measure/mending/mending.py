@@ -87,7 +87,7 @@ class MendRequest:
         return PieceIndex([piece.piece for piece in self.pieces], self.mosaic.grid)
 
     def near(self, run: SeamRun, reach_px: float) -> PieceIndex:
-        """Sources near a run."""
+        """All pieces near a run."""
         there = around_pieces([run.piece], self.mosaic.grid, 0.0).cut_to(self.mosaic.columns, self.mosaic.rows)
         return self.index.near(there, reach_px)
 
