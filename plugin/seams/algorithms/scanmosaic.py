@@ -17,7 +17,7 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.outputs import output_text
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import sentence, tr
 from ..measure import limits, messages
 from .block_parameters import follow_steps, gathered_sources, given_features, given_sources
 
@@ -113,6 +113,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         from ...toolkit import layers
         from ..measure.scan.scan_request import scan_request
         from ..measure.scan.whole_scan import whole_scan
+        from ..tables import scan_layers
 
         settings, mosaic = self._settings(run), self._mosaic
         crs = layers.mosaic_crs(mosaic)
@@ -127,6 +128,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
                 run.tell(scan.notice)
             result = self._scanned(run, scan, loss)
             run.tell(*result.notices)
+            run.inform(sentence(scan_layers.scan_finding(result.pieces)))
             results = {LOSS: loss or None, **self._write(run, result, request)}
             scan.finish()
         run.style(loss, "loss")

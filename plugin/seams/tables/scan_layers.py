@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
@@ -10,14 +10,21 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString, QgsRast
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
-from ...imagery.errors import SettingsError
+from ...imagery.errors import INFO, WARNING, Message, SettingsError
 from ...imagery.records import Column
-from ...imagery.seam_totals import TOTALS_DOMAIN
+from ...imagery.seam_totals import STANDARD_LEAST_KEPT, TOTALS_DOMAIN, PieceState
 from ...toolkit.geopackages import write_table
 from ...toolkit.layers import rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
 from ..measure.planning.window_placing import PLACED_COLUMNS
-from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, seam_notes
+from ..measure.scan.scan_result import (
+    CELL_COLUMNS,
+    LEAST_WITHOUT_VERDICT,
+    SEAM_COLUMNS,
+    JudgedPiece,
+    metres,
+    seam_notes,
+)
 
 if TYPE_CHECKING:
     from ..measure.scan.scan_request import ScanRequest
@@ -73,6 +80,28 @@ WORST = ScanLayer("worst_windows", "placed_windows", QgsWkbTypes.Type.Polygon, P
 """Windows of the least kept places, the least first."""
 SCAN_LAYERS = (WORST, SEAMS, CELLS)
 """In the order in which they lie on the map, the topmost first."""
+
+
+NO_SEAM = Message("Scanned: no seam was found.", INFO)
+NONE_FAILED = Message("None of {metres:.0f} m of seams failed.", INFO)
+FAILED = Message("{failed:.0f} of {metres:.0f} m failed: below {percent} % kept.", WARNING)
+NONE_MEASURED = Message("None of {metres:.0f} m of seams could be measured.", WARNING)
+PARTLY_MEASURED = Message("{finding} {lacking:.0f} m could not be measured.", WARNING)
+
+
+def scan_finding(pieces: Sequence[JudgedPiece]) -> Message:
+    """What a scan says in the end: how much failed, and how much could not be measured."""
+    total, failed = metres(pieces), metres(pieces, PieceState.FAILED)
+    lacking = metres(pieces, PieceState.NOT_MEASURED)
+    finding = NONE_FAILED(metres=total - lacking) if total else NO_SEAM()
+    if failed:
+        finding = FAILED(failed=failed, metres=total, percent=round(100 * STANDARD_LEAST_KEPT))
+    elif total and round(lacking) == round(total):
+        return NONE_MEASURED(metres=total)
+    if not round(lacking):
+        return finding
+    level = finding.level if lacking < LEAST_WITHOUT_VERDICT * total else WARNING
+    return replace(PARTLY_MEASURED(finding=finding, lacking=lacking), level=level)
 
 
 def is_picture(layer: QgsRasterLayer) -> bool:
