@@ -121,7 +121,7 @@ class JudgeBar(QWidget):
         words = progress.words()
         if (sure := judging.just_sure) is not None:  # a digit that did not go to the selected window
             words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(words))
+        self._progress.setText(words, rich_tip(words, progress.rest()))
         remark = self._remark(selected)
         self.remark.setChecked(bool(remark))
         tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")
@@ -173,11 +173,9 @@ class JudgeBar(QWidget):
             finding = window_sentence(piece.record, pixel_m=pixel_m, profile=profile)
             sentence = filled(tr("By the scan, this piece of seam: {finding}"), finding=finding)
         elif self._judging.is_walked():
-            sentence = tr("All windows at the worst places are judged.")
+            sentence = tr("No window at the worst places is left to judge.")
         elif progress.is_done:
-            rest = progress.rest()
-            text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")
-            sentence = filled(text, rest=rest)
+            sentence = tr("No window is left to judge.")
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)

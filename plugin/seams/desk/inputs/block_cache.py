@@ -37,7 +37,6 @@ from ...jobs import ScanOrder
 from ...measure import messages
 from ...measure.blocks.block_grid import ScanSettings
 from ...measure.seam_cells import Cell
-from ...measure.seamlines.seam_features import SeamFeature
 from ...measure.source_images import Source
 from ...measure.window.inspection import Block, make_block, window_request, without_copies
 from ...measure.window.measured_window import InspectionSettings, WindowRequest
@@ -183,7 +182,8 @@ class BlockCache(QObject):
         if (seamlines := LayerFeatures.of(self._project.mapLayer(inputs.seamlines))) is not None:
             crs = layers.mosaic_crs(mosaic)
             transform = transformation(seamlines.crs, crs, self._project.transformContext())
-            read_seams = partial(_read_seams, seamlines, transform)
+            source, names = seamlines.source, seamlines.names
+            read_seams = lambda: input_layers.seam_features(source.getFeatures(), names, transform)  # noqa: E731
         is_without = not self._opened.indexed and not layer_sources(self._project, inputs, mosaic)
         sources = () if is_without and read_seams is not None else self.required().sources
         settings = ScanSettings(
@@ -313,12 +313,6 @@ def _requests(
                 continue
             why = imagery_messages.EXTENT_NOT_TRANSFORMED()
         yield WindowRequest(row.window_id, block.mosaic, (), None, settings, why)
-
-
-def _read_seams(
-    seamlines: LayerFeatures, transform: QgsCoordinateTransform
-) -> tuple[list[SeamFeature], Message | None]:
-    return input_layers.seam_features(seamlines.source.getFeatures(), seamlines.names, transform)
 
 
 def _geometries(seamlines: LayerFeatures, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:
