@@ -252,6 +252,7 @@ _SHOWN_CHARACTERS = 8  # of a name in the legend at least, so that two fit into 
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
 _MOST_OF_ROOM = 0.35  # that the legend takes
 _PIECE_LINES = 1.2  # length of a line's piece, in lines of the font
+_BESIDE_NAME = _PIECE_LINES + 0.75  # what else stands in a name's room, in the same
 
 
 class LegendEntry(NamedTuple):
@@ -275,7 +276,7 @@ class LegendedCurves(CurvesPainter):
         most_rows = max(1, int(_MOST_OF_ROOM * room.height() / metrics.height()))
         across = min(max(-(-len(self.entries) // most_rows), 1), max(int(room.width() / least), 1), _MOST_ACROSS)
         rows = max(1, min(-(-len(self.entries) // across), most_rows))
-        if widest > self._room_for_name(room.width() / across, metrics.height()):
+        if widest > room.width() / across - _BESIDE_NAME * metrics.height():
             self.entries = _entries(chart, style, told_apart(chart.curves))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)
@@ -300,13 +301,8 @@ class LegendedCurves(CurvesPainter):
             painter.drawEllipse(QPointF((left + end) / 2, middle), entry.radius * line, entry.radius * line)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QColor(self.style.text))
-            room = self._room_for_name(width, line)
-            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideLeft, room)
+            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideLeft, width - _BESIDE_NAME * line)
             painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
-
-    @staticmethod
-    def _room_for_name(width: float, line: float) -> float:
-        return width - (_PIECE_LINES + 0.75) * line
 
 
 def told_apart(curves: Sequence[ChartCurve]) -> list[str]:

@@ -150,8 +150,8 @@ class InspectionDock(ToolDock):
 
     def _uncover(self, is_to_be_seen: bool = True) -> None:
         """The scan's picture gives way to the mosaic, and to lost detail."""
-        if is_to_be_seen and (layer := self.scans.worst_layer()) is not None:
-            uncover(QgsProject.instance(), layer)
+        if is_to_be_seen:
+            uncover(QgsProject.instance(), self.session.inputs.mosaic)
 
     def _drop_notice(self, *_: object) -> None:
         """QGIS before 3.26 says that a task is complete, over what the desk says of it."""

@@ -56,7 +56,9 @@ class JudgeBar(QWidget):
         self._why.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._why.setToolTip(rich_tip(tr("What the sentence is based on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
-        self._why.clicked.connect(self._tell_why)
+        self._why.clicked.connect(lambda *_: QWhatsThis.showText(  # stays until the next click
+            self._why.mapToGlobal(self._why.rect().bottomLeft()), self.why(), self
+        ))
         self._here = self._push_button(
             tr("Judge here"), "", pieces.judge,
             tr("Goes to the window on this piece of seam, or makes one, and inspects it."),
@@ -138,10 +140,6 @@ class JudgeBar(QWidget):
             self._asked = asked
             self.refresh()
 
-    def _tell_why(self, *_: object) -> None:
-        """Stays until the next click."""
-        QWhatsThis.showText(self._why.mapToGlobal(self._why.rect().bottomLeft()), self.why(), self)
-
     def _clicked(self, word: str, checked: bool) -> None:
         """A second click on the same button takes the word back."""
         if checked:
@@ -201,13 +199,12 @@ class JudgeBar(QWidget):
             words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
             self.question.setLabelText(filled(words, number=rows[0].window_id))
             self.question.setTextValue(self._remark(rows))
-            self.question.textValueSelected.connect(partial(self._write_remark, judged))
+            self.question.textValueSelected.connect(
+                lambda text: self._judging.note(judged, remark=text.strip()[:_LONGEST] or None)
+            )
             self.question.open()
         self.refresh()  # a click has checked the button
         return bool(rows)
-
-    def _write_remark(self, judged: WindowRecord | None, text: str) -> None:
-        self._judging.note(judged, remark=text.strip()[:_LONGEST] or None)
 
     def _choose_operator(self, place: int) -> None:
         operator, is_blind = divmod(place, 2)

@@ -9,7 +9,7 @@ from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import Qgis, QgsMapLayer, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QCursor
@@ -215,14 +215,12 @@ def _is_ours(files: ScanFiles) -> bool:
 _SCANNED = "seam_inspector/scanned"  # custom property of the layer of worst windows: when they were found
 
 
-def uncover(project: QgsProject, layer: QgsMapLayer) -> None:
-    """Take the pictures of a scan off the map where its windows are to be looked at: they hide what is judged."""
-    root = project.layerTreeRoot()
-    node = root.findLayer(layer.id())
-    if node is not None and node.parent() not in (None, root):
-        for beside in node.parent().findLayers():
-            if isinstance(beside.layer(), QgsRasterLayer):
-                beside.setItemVisibilityChecked(False)
+def uncover(project: QgsProject, mosaic: str) -> None:
+    """Take the pictures of a mosaic's scans off the map where its windows are looked at: they hide what is judged."""
+    for node in project.layerTreeRoot().findLayers():
+        layer = node.layer()
+        if isinstance(layer, QgsRasterLayer) and layer.customProperty(window_home.MADE_FOR) == mosaic:
+            node.setItemVisibilityChecked(False)
 
 
 def worst_layer(project: QgsProject, mosaic: str) -> QgsVectorLayer | None:

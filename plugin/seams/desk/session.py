@@ -34,7 +34,7 @@ from . import messages
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
 from .map.under_mouse import ClickedPiece, LiveWindows, SeamFinder
-from .window_home import WindowHome, WindowsMosaic, show_layers_of, take_back_layers_of, windows_of
+from .window_home import MADE_FOR, WindowHome, WindowsMosaic, show_layers_of, windows_of
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults, WindowSteps, words_of
 from .windows.window_watch import WindowWatch
@@ -432,9 +432,11 @@ class Session(QObject):
         self._follow_block()
 
     def _take_back(self, added: Sequence[QgsMapLayer]) -> None:
-        """A layer that was removed and is there again, by another id, is what it was."""
+        """A layer that was removed is there again, by another id: it is what it was, with what was made of it."""
         back = {self._gone.pop(layer.source()): layer.id() for layer in added if layer.source() in self._gone}
-        take_back_layers_of(self._project, back)
+        for layer in self._project.mapLayers().values():
+            if (made_for := layer.customProperty(MADE_FOR)) in back:
+                layer.setCustomProperty(MADE_FOR, back[made_for])
         self.set_inputs(self.inputs.with_ids(back))
         self._layers_changed()
 

@@ -10,7 +10,7 @@ import contextlib
 import shutil
 import time
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsMapLayer, QgsProcessingUtils, QgsProject, QgsVectorLayer
@@ -59,13 +59,6 @@ def show_layers_of(project: QgsProject, mosaic: str) -> None:
             node.removeCustomProperty(HIDDEN)
             node.setCustomProperty(_WAITING, True)
             node.setItemVisibilityChecked(False)
-
-
-def take_back_layers_of(project: QgsProject, mosaics: Mapping[str, str]) -> None:
-    """What the desk made of mosaics is of those that came for them, ``mosaics`` by the ids of the former ones."""
-    for layer in project.mapLayers().values():
-        if (made_for := layer.customProperty(MADE_FOR)) in mosaics:
-            layer.setCustomProperty(MADE_FOR, mosaics[made_for])
 
 
 def pictures_beside(failures: Path) -> Path:

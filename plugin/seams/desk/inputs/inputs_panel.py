@@ -242,7 +242,7 @@ class InputsPanel(QWidget):
         layout.addWidget(self.doubts)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         before_more = (self.index, self.seamlines, self.windows, self.side, self.more)
-        order = (self.box, self.mosaic, *self.sources.fields(), *before_more, *self.more.boxes.values())
+        order = (self.box, self.mosaic, *self.sources.fields, *before_more, *self.more.boxes.values())
         for before, after in zip(order, order[1:]):
             QWidget.setTabOrder(before, after)
 

@@ -50,7 +50,7 @@ class Inputs:
 
     def with_ids(self, others: Mapping[str, str]) -> Inputs:
         """With other layers for some, by their ids."""
-        named = {name: others[value] for name, value in vars(self).items() if value in others}
+        named: dict[str, Any] = {name: others[value] for name, value in vars(self).items() if value in others}
         return replace(self, **named, sources=tuple(others.get(source, source) for source in self.sources))
 
 

@@ -291,10 +291,7 @@ class SourceList(QWidget):
         self.list.itemChanged.connect(self._tell)
         self.suggested.clicked.connect(self.suggestionWanted)
         self.none.clicked.connect(lambda *_: self.changed.emit(()))
-
-    def fields(self) -> tuple[QWidget, ...]:
-        """In tab order."""
-        return self.suggested, self.none, self.list
+        self.fields = self.suggested, self.none, self.list  # in tab order
 
     def show_sources(self, mosaic_id: str, sources: Sources, reasons: Mapping[str, Message | None]) -> None:
         """Show the rasters of the project with the sources checked; ``reasons`` why some are not suggested."""

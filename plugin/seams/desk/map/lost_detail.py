@@ -202,11 +202,6 @@ class LossOverlay(QObject):
             (session.lost_detail.toggled, self._refresh),
         )  # fmt: skip
 
-    @property
-    def pictures(self) -> tuple[PlacedPicture, ...]:
-        """What lies over the map."""
-        return self._overlay.pictures
-
     def close(self) -> None:
         """Take all off the canvas and follow the session no more."""
         self._connections.close()

@@ -36,13 +36,6 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert desk.session.selected() == [row.fid]
 
 
-def test_what_is_noted_beside_a_judgement_is_called_so(desk: Desk) -> None:
-    fid = desk.add()
-    desk.session.note([fid], {"confidence": 80})
-    desk.session.note([fid], {"remark": "kerb gone"})
-    assert desk.steps()[1:] == ["judging window 1"] * 2
-
-
 def test_edits_that_are_discarded_take_with_them_what_was_done_meanwhile_alone(desk: Desk) -> None:
     fid = desk.add()
     desk.session.judge([fid], "visible")
@@ -54,7 +47,7 @@ def test_edits_that_are_discarded_take_with_them_what_was_done_meanwhile_alone(d
     assert (desk.steps(), desk.rows()[1].observer) == (["drawing window 1"], "visible")
     desk.session.judge([fid], "invisible")
     assert desk.layer().startEditing()
-    desk.session.judge([fid], "visible")
+    desk.session.note([fid], {"remark": "kerb gone"})
     desk.undo()
     desk.undo()
     assert desk.layer().rollBack()
