@@ -199,6 +199,22 @@ class Desk:
         QTest.keyClick(self.canvas, key)
         self.pause(0.1)
 
+    def press_in(self, widget: QWidget, key: Qt.Key, modifiers: Qt.KeyboardModifier = _NO_KEY) -> None:
+        """Press a key where a widget has the focus, and wait until it is up."""
+        widget.window().activateWindow()
+        widget.setFocus()
+        self.pause(0.1)
+        QTest.keyClick(QApplication.focusWidget() or widget, key, modifiers)
+        self.pause(0.15)
+
+    def place_and_inspect(self) -> None:
+        """Windows along the seams, with their verdicts."""
+        self.dock.place.trigger()
+        self.wait(lambda: self.session.windows() and not self.session.is_busy, 60, "windows placed")
+        self.dock.inspect.trigger()
+        self.wait(lambda: all(row.verdict for row in self.session.windows()), 120, "all windows inspected")
+        self.wait_for_work()
+
     @contextmanager
     def judging(self) -> Iterator[None]:
         """J, and at the end all of the desk again."""

@@ -6,6 +6,7 @@ import threading
 import time
 import traceback
 from pathlib import Path
+from typing import Any
 
 from qgis.PyQt.QtCore import Qt, QTimer
 
@@ -47,6 +48,12 @@ class Gaps:
         self._tick()
         self._on = False
         self._watch.join()
+
+    def note(self, report: dict[str, Any], name: str) -> None:
+        """How long the interface stood still, into a report."""
+        report[f"{name}_gap_ms"] = 1000 * self.longest_s
+        report[f"{name}_work_ms"] = 1000 * self.longest_work_s
+        report[f"{name}_gaps"] = self.long_ones
 
     def _tick(self) -> None:
         clock, worked = time.perf_counter(), time.thread_time()

@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="276"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="277"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -344,7 +344,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="200"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="202"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -374,7 +374,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="309"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="333"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -406,7 +406,7 @@
     <message>
         <location filename="../plugin/seams/words.py" line="42"/>
         <source>not inspected</source>
-        <translation>nieskontrolowane</translation>
+        <translation>bez kontroli</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="92"/>
@@ -429,52 +429,52 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="145"/>
+        <location filename="../plugin/seams/window_summary.py" line="150"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="150"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="151"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="155"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="129"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="130"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -484,12 +484,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="198"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -499,42 +499,42 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="207"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="210"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="211"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="232"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="233"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="237"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="349"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="353"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -594,7 +594,7 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -649,42 +649,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="194"/>
+        <location filename="../plugin/seams/desk/dock.py" line="193"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="194"/>
+        <location filename="../plugin/seams/desk/dock.py" line="193"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="197"/>
+        <location filename="../plugin/seams/desk/dock.py" line="196"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="197"/>
+        <location filename="../plugin/seams/desk/dock.py" line="196"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="214"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="214"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="217"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="217"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -694,37 +694,37 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="247"/>
+        <location filename="../plugin/seams/desk/dock.py" line="246"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="381"/>
+        <location filename="../plugin/seams/desk/dock.py" line="374"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="272"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="273"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="271"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="272"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="273"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="276"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
@@ -774,22 +774,22 @@
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="263"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="267"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="276"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="280"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="350"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="354"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="82"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -839,7 +839,7 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="134"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="131"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -889,32 +889,32 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="91"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="93"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="145"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="145"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="146"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="105"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="104"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
@@ -3694,12 +3694,12 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="196"/>
+        <location filename="../plugin/seams/window_summary.py" line="201"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="194"/>
+        <location filename="../plugin/seams/window_summary.py" line="199"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -3893,7 +3893,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="220"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -3983,42 +3983,42 @@
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -4203,22 +4203,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="200"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="200"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4243,17 +4243,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="89"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="114"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="115"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4273,57 +4273,57 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="203"/>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="85"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="257"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="270"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="294"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -4593,37 +4593,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4648,22 +4648,22 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="263"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="238"/>
+        <location filename="../plugin/seams/desk/judging.py" line="232"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="246"/>
+        <location filename="../plugin/seams/desk/judging.py" line="240"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="248"/>
+        <location filename="../plugin/seams/desk/judging.py" line="242"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -4713,17 +4713,17 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="349"/>
+        <location filename="../plugin/seams/desk/dock.py" line="348"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="358"/>
+        <location filename="../plugin/seams/desk/dock.py" line="357"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="355"/>
+        <location filename="../plugin/seams/desk/dock.py" line="354"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -4788,37 +4788,37 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="65"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="131"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="132"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="140"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="141"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="261"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="265"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="261"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="265"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="233"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="233"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="237"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -4896,12 +4896,12 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="311"/>
+        <location filename="../plugin/seams/desk/dock.py" line="310"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7129,12 +7129,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="224"/>
+        <location filename="../plugin/seams/desk/dock.py" line="223"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="224"/>
+        <location filename="../plugin/seams/desk/dock.py" line="223"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -7154,7 +7154,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="203"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7453,7 +7453,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -7478,7 +7478,7 @@
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="166"/>
+        <location filename="../plugin/seams/window_summary.py" line="171"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7597,12 +7597,12 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="106"/>
+        <location filename="../plugin/seams/window_summary.py" line="111"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="326"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7626,12 +7626,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="321"/>
+        <location filename="../plugin/seams/window_summary.py" line="327"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <location filename="../plugin/seams/window_summary.py" line="326"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8026,12 +8026,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="209"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="184"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
@@ -8076,12 +8076,7 @@
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="114"/>
-        <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
-        <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="284"/>
+        <location filename="../plugin/seams/window_summary.py" line="290"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -8091,32 +8086,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="286"/>
+        <location filename="../plugin/seams/window_summary.py" line="292"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="296"/>
+        <location filename="../plugin/seams/window_summary.py" line="302"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="299"/>
+        <location filename="../plugin/seams/window_summary.py" line="305"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="283"/>
+        <location filename="../plugin/seams/window_summary.py" line="288"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="302"/>
+        <location filename="../plugin/seams/window_summary.py" line="308"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="325"/>
+        <location filename="../plugin/seams/window_summary.py" line="331"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -8386,7 +8381,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="265"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="269"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -8704,7 +8699,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="264"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="262"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -9091,42 +9086,42 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="86"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="83"/>
+        <location filename="../plugin/seams/window_summary.py" line="88"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="85"/>
+        <location filename="../plugin/seams/window_summary.py" line="90"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="88"/>
+        <location filename="../plugin/seams/window_summary.py" line="93"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="244"/>
+        <location filename="../plugin/seams/window_summary.py" line="249"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="243"/>
+        <location filename="../plugin/seams/window_summary.py" line="248"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="268"/>
+        <location filename="../plugin/seams/window_summary.py" line="273"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="272"/>
+        <location filename="../plugin/seams/window_summary.py" line="277"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -9191,22 +9186,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="260"/>
+        <location filename="../plugin/seams/window_summary.py" line="265"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="226"/>
+        <location filename="../plugin/seams/window_summary.py" line="231"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="251"/>
+        <location filename="../plugin/seams/window_summary.py" line="256"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="257"/>
+        <location filename="../plugin/seams/window_summary.py" line="262"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9371,7 +9366,7 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
@@ -9513,7 +9508,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="248"/>
+        <location filename="../plugin/seams/desk/dock.py" line="247"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -9533,19 +9528,14 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging.py" line="61"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="61"/>
-        <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
-        <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging_desk.py" line="49"/>
@@ -9680,47 +9670,47 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="255"/>
+        <location filename="../plugin/seams/desk/session.py" line="256"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="255"/>
+        <location filename="../plugin/seams/desk/session.py" line="256"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="273"/>
+        <location filename="../plugin/seams/desk/session.py" line="274"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="273"/>
+        <location filename="../plugin/seams/desk/session.py" line="274"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="69"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="96"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="97"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="141"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="273"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="295"/>
         <source>inspecting window {number}</source>
         <translation>zbadanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="273"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="295"/>
         <source>inspecting {count} windows</source>
         <translation>zbadanie okien: {count}</translation>
     </message>
@@ -10008,17 +9998,17 @@
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="211"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="245"/>
+        <location filename="../plugin/seams/desk/dock.py" line="244"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="110"/>
+        <location filename="../plugin/seams/window_summary.py" line="115"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10242,7 +10232,7 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="276"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="281"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
@@ -10411,12 +10401,7 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
-        <source>All windows are judged.</source>
-        <translation>Wszystkie okna są ocenione.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="113"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="114"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10546,11 +10531,6 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
-        <source>All compared windows are judged; {rest}.</source>
-        <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/messages.py" line="11"/>
         <source>The layer {name} stays in {old}, as it can&apos;t be moved to {folder} ({error}); export it from there.</source>
         <translation>Warstwa {name} zostaje w {old}, bo nie można jej przenieść do {folder} ({error}); wyeksportuj ją stamtąd.</translation>
@@ -10561,17 +10541,7 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
-        <source>None of {metres} m of seams failed.</source>
-        <translation>Niezgodne: 0 z {metres} m linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="207"/>
-        <source>{failed} of {metres} m failed: below {percent} % kept.</source>
-        <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10580,7 +10550,7 @@
         <translation>U</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="72"/>
+        <location filename="../plugin/seams/desk/judging.py" line="71"/>
         <source>{count} not comparable or not inspected</source>
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
@@ -10645,7 +10615,7 @@
         <translation>Na żywo: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="168"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="169"/>
         <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
     </message>
@@ -10665,12 +10635,12 @@
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="87"/>
+        <location filename="../plugin/seams/window_summary.py" line="92"/>
         <source>images {value} px apart</source>
         <translation>obrazy przesunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="88"/>
+        <location filename="../plugin/seams/window_summary.py" line="93"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
     </message>
@@ -10884,16 +10854,6 @@
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
-        <source>All windows at the worst places are judged.</source>
-        <translation>Wszystkie okna w najgorszych miejscach są ocenione.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="66"/>
-        <source>Worst places: {progress}</source>
-        <translation>Najgorsze miejsca: {progress}</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/map/window_tool.py" line="214"/>
         <source>{width} x {height} m, {columns} x {rows} px, no source lies there</source>
         <translation>{width} × {height} m, {columns} × {rows} px, nie leży tam żaden ortoobraz</translation>
@@ -10914,7 +10874,7 @@
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="157"/>
+        <location filename="../plugin/seams/window_summary.py" line="162"/>
         <source>This follows from the mixture of the images; the ground around can&apos;t tell it.</source>
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
@@ -10959,7 +10919,7 @@
         <translation>Zatrzymano badanie: badanej ortofotomapy nie ma już w projekcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="304"/>
+        <location filename="../plugin/seams/desk/session.py" line="305"/>
         <source>Windows of {mosaic}</source>
         <translation>Okna: {mosaic}</translation>
     </message>
@@ -11069,7 +11029,7 @@
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <location filename="../plugin/seams/window_summary.py" line="339"/>
         <source>Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.</source>
         <translation>Mimo to jego krzywa leży osobno: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
@@ -11084,12 +11044,12 @@
         <translation>ostrość 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="63"/>
+        <location filename="../plugin/seams/window_summary.py" line="68"/>
         <source>kept 1: {value}</source>
         <translation>zachowane 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="65"/>
+        <location filename="../plugin/seams/window_summary.py" line="70"/>
         <source>kept 1: {value} ({low} to {high})</source>
         <translation>zachowane 1: {value} (od {low} do {high})</translation>
     </message>
@@ -11099,7 +11059,7 @@
         <translation>stosunek 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="159"/>
+        <location filename="../plugin/seams/window_summary.py" line="164"/>
         <source>Other detail was added along the seam.</source>
         <translation>Wzdłuż linii dodano inne szczegóły.</translation>
     </message>
@@ -11112,6 +11072,56 @@
         <location filename="../plugin/toolkit/messages.py" line="48"/>
         <source>The Dask scheduler at {address} is gone, or has no workers that answer; start some, or give no scheduler.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma procesów roboczych, które odpowiadają; uruchom je albo nie podawaj schedulera.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <source>No window at the worst places is left to judge.</source>
+        <translation>W najgorszych miejscach nie ma już okien do oceny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
+        <source>No window is left to judge.</source>
+        <translation>Nie ma już okien do oceny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="63"/>
+        <source>Worst places: {left} of {count} to go</source>
+        <translation>Najgorsze miejsca: zostało {left} z {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="64"/>
+        <source>{unsure} not sure</source>
+        <translation>niepewne: {unsure}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="302"/>
+        <source>Detail kept: reading ...</source>
+        <translation>Zachowany detal: wczytywanie ...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="114"/>
+        <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; empty where no loss is certain.</source>
+        <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; puste tam, gdzie strata nie jest pewna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="86"/>
+        <source>None of {metres:.0f} m of seams failed.</source>
+        <translation>Niezgodne: 0 z {metres:.0f} m linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="87"/>
+        <source>{failed:.0f} of {metres:.0f} m failed: below {percent} % kept.</source>
+        <translation>Niezgodne {failed:.0f} z {metres:.0f} m: zachowano poniżej {percent} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="88"/>
+        <source>None of {metres:.0f} m of seams could be measured.</source>
+        <translation>Nie dało się zmierzyć żadnego z {metres:.0f} m linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="89"/>
+        <source>{finding} {lacking:.0f} m could not be measured.</source>
+        <translation>{finding} Nie dało się zmierzyć {lacking:.0f} m.</translation>
     </message>
 </context>
 </TS>

@@ -27,7 +27,7 @@ from .measure.window.inspection import inspect_in_stages, inspect_windows
 from .measure.window.measured_window import MeasureWindow, WindowRequest, measure_window
 from .measure.window.window_result import WindowClips
 from .measure.workers import Workers
-from .tables.scan_layers import write_scan_file
+from .tables.scan_layers import scan_finding, write_scan_file
 
 
 def inspection_job(requests: Iterable[WindowRequest], count: int, measure: MeasureWindow = measure_window) -> Job:
@@ -119,8 +119,7 @@ class ScanDone:
     """What a scan found, and where it is."""
 
     files: ScanFiles
-    seam_metres: float
-    failed_metres: float
+    finding: Message
     worst_count: int  # windows of the worst places
     notices: tuple[Message, ...] = ()
 
@@ -143,9 +142,7 @@ def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
                 return
             write_scan_file(files.layers, result, request)
             scan.finish()
-        yield 1.0, ScanDone(
-            files, float(result.seam_metres), float(result.failed_metres), len(result.worst), result.notices,
-        )
+        yield 1.0, ScanDone(files, scan_finding(result.pieces), len(result.worst), result.notices)
 
     return job
 

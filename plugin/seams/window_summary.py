@@ -8,7 +8,7 @@ import math
 from typing import TYPE_CHECKING
 
 from ..imagery.limits import MAX_SIGNIFICANT_RATIO
-from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, shown_number, tr
+from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, shown_metres, shown_number, tr
 from .measure.judgement.causes import Cause, causes_taken
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
@@ -56,6 +56,11 @@ def shown_area(area_m2: float) -> str:
     return filled(tr("{area} m²"), area=grouped_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
 
 
+def shown_side(side_m: float) -> str:
+    """The side of a window, in the centimetres that it spans at least, by which it is set."""
+    return shown_metres(math.floor(100 * side_m + 1e-6) / 100)
+
+
 def _kept_words(row: WindowRecord) -> list[str]:
     if judged_kept(row) is None:
         return []
@@ -94,9 +99,9 @@ def _misfit_px(row: WindowRecord) -> float | None:
     return row.misfit if (row.misfit or 0) >= MIN_MISREGISTRATION_PX else None
 
 
-def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_the_seam: bool = False) -> str:
-    """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
-    causes = loss_place(row).at_seam(_causes_of(row))[:1] if along_the_seam else _causes_of(row)
+def _done(row: WindowRecord, explanation: Explanation | None, width: str, most: int | None = None) -> str:
+    """All that was done to the window, or the ``most`` that took most, to go on a sentence with."""
+    causes = _causes_of(row)[:most]
     clauses = (_clause(cause, row, explanation, width) for cause in causes if cause not in _TOLD_BEFORE)
     return "; ".join(filter(None, clauses))
 
@@ -216,7 +221,7 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     window only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
-        return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
+        return [_what_is_left(row, _done(row, explanation, width, most=1))]
     place = loss_place(row)
     causes = place.decisive(_causes_of(row))
     said, in_all = _lost_in_whole(row, place), []
@@ -280,7 +285,8 @@ def _has_no_kept(row: WindowRecord) -> bool:
 def _what_is_left(row: WindowRecord, clause: str) -> str:
     """The sentence where no loss is sure."""
     if _has_no_kept(row):
-        return row.reason or tr("No change from one source to another is found in the window.")
+        reason = row.reason or tr("No change from one source to another is found in the window.")
+        return f"{reason} {_as_sentence(clause)}".rstrip()
     text = tr("Along the seam as much of the finest detail is left as around it")
     if (row.kept_1 or 0.0) < _ALL_KEPT:
         text = tr("Along the seam no loss is certain")

@@ -11,6 +11,7 @@ from qgis.core import QgsCoordinateReferenceSystem
 
 from ...imagery.errors import Message, SettingsError
 from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ..measure import messages
 
@@ -49,6 +50,18 @@ def given_sources(run: Run) -> GivenSources:
     refs, left_out = run.raster_refs(common.SOURCES)
     index = run.vector_layer(common.SOURCE_INDEX)
     return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
+
+
+class BlockAlgorithm(SeamInspectorAlgorithm):
+    """What works on a mosaic and its orthoimages."""
+
+    def add_block(self) -> None:
+        """Add MOSAIC, SOURCES and SOURCE_INDEX."""
+        for described in (common.mosaic(), common.sources(), common.source_index()):
+            self.addDescribed(*described)
+
+    def prepare_run(self, run: Run) -> None:
+        self._mosaic, self._given = run.mosaic(), given_sources(run)
 
 
 def gathered_sources(

@@ -12,14 +12,13 @@ from ...imagery.errors import SettingsError
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.raster_lists import WindowFeatures
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from ..measure.window_records import REFERENCES
-from .block_parameters import check_sources, given_block, given_sources
+from .block_parameters import BlockAlgorithm, check_sources, given_block
 
 if TYPE_CHECKING:
     from ..measure.seam_cells import Cell
@@ -32,7 +31,7 @@ OUTPUT, CURVES, PAIRS, PROFILES = "OUTPUT", "CURVES", "PAIRS", "PROFILES"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
 
-class InspectWindows(SeamInspectorAlgorithm):
+class InspectWindows(BlockAlgorithm):
     """How much detail a mosaic kept in each window, against each of its sources."""
 
     ID = "inspectwindows"
@@ -52,9 +51,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             "Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. The rectangle "
             "around each is measured, snapped to the mosaic's pixels."
         ))
-        self.addDescribed(*common.mosaic())
-        self.addDescribed(*common.sources())
-        self.addDescribed(*common.source_index())
+        self.add_block()
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         # Optional, or QGIS would refuse models that were drawn before there was this choice.
@@ -109,10 +106,6 @@ class InspectWindows(SeamInspectorAlgorithm):
         self._settings(run).check()
         run.mosaic()
         check_sources(run)
-
-    def prepare_run(self, run: Run) -> None:
-        self._mosaic = run.mosaic()
-        self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers

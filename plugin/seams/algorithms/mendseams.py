@@ -15,12 +15,11 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import CancelledError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MEND_BLEND_PX, MEND_WIDTH_M, MENDED_SEAMS, MOST_BLEND_PX
-from .block_parameters import check_sources, follow_steps, gathered_sources, given_features, given_sources
+from .block_parameters import BlockAlgorithm, check_sources, follow_steps, gathered_sources, given_features
 
 if TYPE_CHECKING:
     from ..measure.mending.failed_runs import SeamRun
@@ -31,7 +30,7 @@ MENDED_MOSAIC = "MENDED_MOSAIC"
 MENDED_METRES, LEFT_METRES = "MENDED_METRES", "LEFT_METRES"
 
 
-class MendSeams(SeamInspectorAlgorithm):
+class MendSeams(BlockAlgorithm):
     """Find, prove, mend: what a scan found to have lost detail gets it back from the orthoimages."""
 
     ID = "mendseams"
@@ -46,9 +45,7 @@ class MendSeams(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(*common.mosaic())
-        self.addDescribed(*common.sources())
-        self.addDescribed(*common.source_index())
+        self.add_block()
         self.addDescribed(common.features(SEAMS, tr("Seams"), common.LINE, common.POLYGON), tr(
             "All seams as Scan a whole mosaic writes them. Or windows: then the mosaic is scanned first, and the seams "
             "in the windows are mended."
@@ -86,10 +83,6 @@ class MendSeams(SeamInspectorAlgorithm):
         check_what(run.text(WHAT))
         check_sources(run)
         run.mosaic()
-
-    def prepare_run(self, run: Run) -> None:
-        self._mosaic = run.mosaic()
-        self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit.executors import open_executor

@@ -14,12 +14,11 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery.errors import CancelledError, SettingsError
 from ...imagery.seam_totals import TOTALS_DOMAIN
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.outputs import output_text
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import sentence, tr
 from ..measure import limits, messages
-from .block_parameters import follow_steps, gathered_sources, given_features, given_sources
+from .block_parameters import BlockAlgorithm, follow_steps, gathered_sources, given_features
 
 if TYPE_CHECKING:
     from ..measure.blocks.block_grid import ScanSettings
@@ -34,7 +33,7 @@ LOSS, SEAMS, CELLS, WORST, WORST_COUNT = "LOSS", "SEAMS", "CELLS", "WORST", "WOR
 SEAM_METRES, FAILED_METRES, WORST_KEPT = "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"
 
 
-class ScanMosaic(SeamInspectorAlgorithm):
+class ScanMosaic(BlockAlgorithm):
     """Finds where a whole mosaic lost detail, and what each piece of its seams kept."""
 
     ID = "scanmosaic"
@@ -47,9 +46,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(*common.mosaic())
-        self.addDescribed(*common.sources())
-        self.addDescribed(*common.source_index())
+        self.add_block()
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
             "Lines, or polygons that are each filled from one orthoimage. Without them seams are found from the "
             "pixels. Needed where there are no orthoimages."
@@ -105,14 +102,11 @@ class ScanMosaic(SeamInspectorAlgorithm):
         if not run.parameters.get(SEAMLINES) and not _names_sources(run):
             raise SettingsError(messages.NEITHER_SOURCES_NOR_SEAMS())
 
-    def prepare_run(self, run: Run) -> None:
-        self._mosaic = run.mosaic()
-        self._given = given_sources(run)
-
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from ..measure.scan.scan_request import scan_request
         from ..measure.scan.whole_scan import whole_scan
+        from ..tables import scan_layers
 
         settings, mosaic = self._settings(run), self._mosaic
         crs = layers.mosaic_crs(mosaic)
@@ -127,6 +121,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
                 run.tell(scan.notice)
             result = self._scanned(run, scan, loss)
             run.tell(*result.notices)
+            run.inform(sentence(scan_layers.scan_finding(result.pieces)))
             results = {LOSS: loss or None, **self._write(run, result, request)}
             scan.finish()
         run.style(loss, "loss")

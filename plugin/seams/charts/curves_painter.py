@@ -2,9 +2,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from typing import TYPE_CHECKING, NamedTuple, Union
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
@@ -250,6 +252,7 @@ _SHOWN_CHARACTERS = 8  # of a name in the legend at least, so that two fit into 
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
 _MOST_OF_ROOM = 0.35  # that the legend takes
 _PIECE_LINES = 1.2  # length of a line's piece, in lines of the font
+_BESIDE_NAME = _PIECE_LINES + 0.75  # what else stands in a name's room, in the same
 
 
 class LegendEntry(NamedTuple):
@@ -266,12 +269,15 @@ class LegendedCurves(CurvesPainter):
     """A ``Chart`` above the legend of its curves."""
 
     def __init__(self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont) -> None:
-        metrics, self.entries = QFontMetricsF(font), _entries(chart, style)
+        metrics, names = QFontMetricsF(font), [curve.label for curve in chart.curves]
+        self.entries = _entries(chart, style, names)
         widest = max((metrics.horizontalAdvance(entry.name) for entry in self.entries), default=0.0)
         least = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth()) + (_PIECE_LINES + 1) * metrics.height()
         most_rows = max(1, int(_MOST_OF_ROOM * room.height() / metrics.height()))
         across = min(max(-(-len(self.entries) // most_rows), 1), max(int(room.width() / least), 1), _MOST_ACROSS)
         rows = max(1, min(-(-len(self.entries) // across), most_rows))
+        if widest > room.width() / across - _BESIDE_NAME * metrics.height():
+            self.entries = _entries(chart, style, told_apart(chart.curves))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)
             self.entries[across * rows - 1 :] = [LegendEntry(more, style.background)]
@@ -295,16 +301,30 @@ class LegendedCurves(CurvesPainter):
             painter.drawEllipse(QPointF((left + end) / 2, middle), entry.radius * line, entry.radius * line)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QColor(self.style.text))
-            room = width - (end - left) - 0.75 * line
-            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideMiddle, room)
+            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideLeft, width - _BESIDE_NAME * line)
             painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
 
 
-def _entries(chart: Chart, style: ChartStyle) -> list[LegendEntry]:
+def told_apart(curves: Sequence[ChartCurve]) -> list[str]:
+    """Names of the curves, those of sources without the words that all of them begin or end with."""
+    names = [curve.label for curve in curves if not (curve.is_mosaic or curve.is_composite)]
+    words = [re.findall(r"[^\W_]+[\W_]*|[\W_]+", name) for name in names]
+    words = [row[_shared(words) :] for row in words]
+    end = _shared([row[::-1] for row in words])
+    short = {name: "".join(row[: len(row) - end]).rstrip("_-. ") for name, row in zip(names, words)}
+    return [(not curve.is_mosaic and short.get(curve.label)) or curve.label for curve in curves]
+
+
+def _shared(words: Sequence[Sequence[str]]) -> int:
+    """The number of words that all begin with."""
+    return sum(1 for _ in takewhile(lambda same: len({*same}) == 1, zip(*words)))
+
+
+def _entries(chart: Chart, style: ChartStyle, names: Sequence[str]) -> list[LegendEntry]:
     entries = []
-    for number, curve in numbered(chart.curves):
+    for (number, curve), name in zip(numbered(chart.curves), names):
         size = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
-        entries.append(LegendEntry(printable(curve.label), *curve_look(curve, number, style), *size))
+        entries.append(LegendEntry(printable(name), *curve_look(curve, number, style), *size))
     if significance_limit(chart.curves, chart.max_ratio) is not None:
         entries.append(LegendEntry(tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
     return entries

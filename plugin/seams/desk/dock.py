@@ -80,10 +80,10 @@ class InspectionDock(ToolDock):
         self._selected = SelectedWindows(self._canvas, self.session)
         self.reports = ReportWriter(self.session, self)
         self.reports.notified.connect(self._show_markup)
-        self._asked, self._was_scanning = (0, 0), False  # windows done and asked for
+        self._asked = 0, 0  # windows done and asked for
         self.scans = MosaicScans(self.session, self)
         self.scans.notified.connect(self._show_message)
-        self.scans.changed.connect(self._follow_scan)
+        self.scans.changed.connect(self._enable_actions)
         self.flicker = Flicker(self._canvas, self.session, self)
         self.flicker.notified.connect(self._show_message)
         self.flicker.shown.connect(self.lost.give_way)
@@ -122,7 +122,6 @@ class InspectionDock(ToolDock):
         self.session.messageRaised.connect(self._show_message)
         self.session.messageOutdated.connect(self._take_off)
         self.session.inputsChanged.connect(self._enable_actions)
-        self.scans.scanned.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)
         self.windows.zoomRequested.connect(self.zoom_to)
         self.judging.model.stepped.connect(self.zoom_to)
@@ -151,8 +150,8 @@ class InspectionDock(ToolDock):
 
     def _uncover(self, is_to_be_seen: bool = True) -> None:
         """The scan's picture gives way to the mosaic, and to lost detail."""
-        if is_to_be_seen and (layer := self.scans.worst_layer()) is not None:
-            uncover(QgsProject.instance(), layer)
+        if is_to_be_seen:
+            uncover(QgsProject.instance(), self.session.inputs.mosaic)
 
     def _drop_notice(self, *_: object) -> None:
         """QGIS before 3.26 says that a task is complete, over what the desk says of it."""
@@ -163,7 +162,7 @@ class InspectionDock(ToolDock):
 
     def _tell_findings(self, done: ScanDone) -> None:
         self._forget_findings()
-        self._findings = scan_message(self._iface.messageBar(), done, self.judge_worst)
+        self._findings = scan_message(self._iface.messageBar(), done, self.scans.warnings, self.judge_worst)
 
     def _forget_findings(self) -> None:
         if self._findings is not None and not sip.isdeleted(self._findings):
@@ -362,12 +361,6 @@ class InspectionDock(ToolDock):
 
     def _show_progress(self, done: int, asked: int) -> None:
         self._asked = done, asked
-        self._offer_stop()
-
-    def _follow_scan(self) -> None:
-        if self.scans.is_at_work != self._was_scanning:
-            self._was_scanning = self.scans.is_at_work
-            self._enable_actions()
         self._offer_stop()
 
     def _offer_stop(self) -> None:

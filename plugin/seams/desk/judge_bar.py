@@ -56,7 +56,9 @@ class JudgeBar(QWidget):
         self._why.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._why.setToolTip(rich_tip(tr("What the sentence is based on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
-        self._why.clicked.connect(self._tell_why)
+        self._why.clicked.connect(lambda *_: QWhatsThis.showText(  # stays until the next click
+            self._why.mapToGlobal(self._why.rect().bottomLeft()), self.why(), self
+        ))
         self._here = self._push_button(
             tr("Judge here"), "", pieces.judge,
             tr("Goes to the window on this piece of seam, or makes one, and inspects it."),
@@ -121,7 +123,7 @@ class JudgeBar(QWidget):
         words = progress.words()
         if (sure := judging.just_sure) is not None:  # a digit that did not go to the selected window
             words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(words))
+        self._progress.setText(words, rich_tip(words, progress.rest()))
         remark = self._remark(selected)
         self.remark.setChecked(bool(remark))
         tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")
@@ -137,10 +139,6 @@ class JudgeBar(QWidget):
         if asked != self._asked:
             self._asked = asked
             self.refresh()
-
-    def _tell_why(self, *_: object) -> None:
-        """Stays until the next click."""
-        QWhatsThis.showText(self._why.mapToGlobal(self._why.rect().bottomLeft()), self.why(), self)
 
     def _clicked(self, word: str, checked: bool) -> None:
         """A second click on the same button takes the word back."""
@@ -173,11 +171,9 @@ class JudgeBar(QWidget):
             finding = window_sentence(piece.record, pixel_m=pixel_m, profile=profile)
             sentence = filled(tr("By the scan, this piece of seam: {finding}"), finding=finding)
         elif self._judging.is_walked():
-            sentence = tr("All windows at the worst places are judged.")
+            sentence = tr("No window at the worst places is left to judge.")
         elif progress.is_done:
-            rest = progress.rest()
-            text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")
-            sentence = filled(text, rest=rest)
+            sentence = tr("No window is left to judge.")
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
@@ -203,13 +199,12 @@ class JudgeBar(QWidget):
             words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
             self.question.setLabelText(filled(words, number=rows[0].window_id))
             self.question.setTextValue(self._remark(rows))
-            self.question.textValueSelected.connect(partial(self._write_remark, judged))
+            self.question.textValueSelected.connect(
+                lambda text: self._judging.note(judged, remark=text.strip()[:_LONGEST] or None)
+            )
             self.question.open()
         self.refresh()  # a click has checked the button
         return bool(rows)
-
-    def _write_remark(self, judged: WindowRecord | None, text: str) -> None:
-        self._judging.note(judged, remark=text.strip()[:_LONGEST] or None)
 
     def _choose_operator(self, place: int) -> None:
         operator, is_blind = divmod(place, 2)

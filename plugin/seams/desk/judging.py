@@ -54,17 +54,16 @@ class JudgingProgress:
         return self.to_judge == 0 < self.judged + self.unsure
 
     def words(self) -> str:
-        """``21 to go: 38 of 59 judged``, and the others; before an inspection just that there is nothing to judge."""
+        """``21 to go: 38 of 59 judged``; before an inspection just that there is nothing to judge."""
         count = self.judged + self.unsure + self.to_judge  # so that it adds up
         if not count:
             return tr("nothing to judge yet") if self.count else ""
-        text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure") if self.unsure else tr(
-            "{left} to go: {judged} of {count} judged"
-        )
-        text = filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge)
+        text = tr("{left} to go: {judged} of {count} judged")
         if self.is_of_scan:
-            return filled(tr("Worst places: {progress}"), progress=text)
-        return "; ".join(filter(None, (text, self.rest())))
+            text = tr("Worst places: {left} of {count} to go")
+        unsure = filled(tr("{unsure} not sure"), unsure=self.unsure) if self.unsure else ""
+        text = filled(text, judged=self.judged, count=count, left=self.to_judge)
+        return ", ".join(filter(None, (text, unsure)))
 
     def rest(self) -> str:
         """How many other windows there are; empty where there are none."""
@@ -105,7 +104,7 @@ class Judging(QObject):
         self._confirm = confirm
         self._is_in_view = is_in_view
         self._project = QgsProject.instance()
-        self._settings = load_judging(self._project)
+        self.settings = load_judging(self._project)  # which the project keeps
         self._judged: list[int] = []  # numbers, the last one judged at the end
         self._went_to: list[int] | None = None  # what the last judgement selected, by number; None once one left it
         self._is_sure_said = False  # of the selected window, before its judgement
@@ -129,31 +128,26 @@ class Judging(QObject):
     # What the project keeps
 
     @property
-    def settings(self) -> JudgingSettings:
-        """Settings as the project keeps them."""
-        return self._settings
-
-    @property
     def operator(self) -> Operator:
         """Who judges: the fields that his words go to."""
-        return OPERATORS[1] if self._settings.operator == 2 else OPERATORS[0]
+        return OPERATORS[1] if self.settings.operator == 2 else OPERATORS[0]
 
     @property
     def is_blind(self) -> bool:
         """Whether the tool's verdict and the other operator's are hidden."""
-        return self._settings.is_blind
+        return self.settings.is_blind
 
     def change(self, **settings: object) -> None:
         """Change some of the settings."""
-        changed = replace(self._settings, **settings)  # type: ignore[arg-type]
-        if changed != self._settings:
-            self._settings = changed
+        changed = replace(self.settings, **settings)  # type: ignore[arg-type]
+        if changed != self.settings:
+            self.settings = changed
             save_settings(self._project, _KEY, asdict(changed))
             self._went_to = self.just_sure = None
             self.changed.emit()
 
     def _load(self, *_: object) -> None:
-        self._settings = load_judging(self._project)
+        self.settings = load_judging(self._project)
         self._judged, self._walk = [], []
         self._went_to = self.just_sure = None
         self.changed.emit()

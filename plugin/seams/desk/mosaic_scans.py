@@ -3,25 +3,26 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from html import escape
 from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import Qgis, QgsMapLayer, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QPushButton
+from qgis.PyQt.QtGui import QCursor
+from qgis.PyQt.QtWidgets import QPushButton, QWhatsThis
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
-from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from ...toolkit.background_tasks import BackgroundTasks, Outcome
 from ...toolkit.connections import Connections
 from ...toolkit.desk.tool_dock import bar_level, write_log
+from ...toolkit.desk.widgets import rich_tip
 from ...toolkit.layer_styles import load_style
 from ...toolkit.reference_systems import keep_system
-from ...toolkit.translation import filled, grouped_number, sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..measure import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
@@ -52,7 +53,7 @@ class MosaicScans(QObject):
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._tell)
         self._background.ended.connect(self._ended)
-        self._notes = 0  # warnings about the scan, all of which are in the log
+        self.warnings: list[Message] = []  # about the scan, which are in the log, too
         self.news: ScanNews | None = None  # how far the scan is; None while there is none
         self._mosaic = ""  # the layer that is scanned, while it is there
         self._connections = Connections(
@@ -87,7 +88,7 @@ class MosaicScans(QObject):
         name = self._session.mosaic_layer()
         mosaic = name.name() if name is not None else order.mosaic.ref.name
         self._title, self._mosaic = filled(tr("Scan of {mosaic}"), mosaic=mosaic), self._session.inputs.mosaic
-        self.news, self._notes = ScanNews(0.0, None), 0
+        self.news, self.warnings = ScanNews(0.0, None), []
         self._background.start(tr("Scan the mosaic"), scan_job(order, files), self._take, _KEY, steps=1)
         self.changed.emit()
 
@@ -172,7 +173,6 @@ class MosaicScans(QObject):
             _table(file, scan_layers.CELLS, tr("Source cells")),
         )  # fmt: skip
         worst.setCustomProperty(_SCANNED, QDateTime.currentDateTime().toString(Qt.DateFormat.ISODateWithMs))
-        worst.setCustomProperty(_MOSAIC, self._mosaic)
         picture = _picture(done.files.picture, tr("Picture of losses"))
         for layer in (worst, seams, cells, picture):
             if layer.isValid():
@@ -186,27 +186,17 @@ class MosaicScans(QObject):
         self.scanned.emit(done)
 
     def _note(self, notices: Iterable[Message]) -> None:
-        """In the log, since there may be one for each block; the first of those that matter in the bar, too."""
+        """In the log, since there may be one for each block; the first of those that matter in the bar, too, but for
+        what the scan's finding says."""
         for notice in notices:
             write_log([notice])
-            if notice.level is not INFO:
-                self._notes += 1
-                if self._notes <= _NOTES_IN_BAR:
+            if notice.level is not INFO and notice.template != messages.SEAMS_WITHOUT_VERDICT.template:
+                self.warnings.append(notice)
+                if len(self.warnings) <= _NOTES_IN_BAR:
                     self._tell(notice)
 
     def _tell(self, message: Message) -> None:
         self.notified.emit(sentence(message), bar_level(message))
-
-
-def scan_sentence(done: ScanDone) -> str:
-    """What a scan found."""
-    words = tr("Scanned: no seam was found.")
-    if done.seam_metres:
-        words = tr("None of {metres} m of seams failed.")
-        if done.failed_metres:
-            words = tr("{failed} of {metres} m failed: below {percent} % kept.")
-    metres, failed = grouped_number(done.seam_metres), grouped_number(done.failed_metres)
-    return filled(words, metres=metres, failed=failed, percent=round(100 * STANDARD_LEAST_KEPT))
 
 
 def file_stem(name: str) -> str:
@@ -222,25 +212,23 @@ def _is_ours(files: ScanFiles) -> bool:
     return journal.is_dir() or not files.picture.exists()
 
 
-_SCANNED, _MOSAIC = "seam_inspector/scanned", "seam_inspector/mosaic"
-"""Custom properties of the layer of worst windows: when they were found, and in which mosaic layer."""
+_SCANNED = "seam_inspector/scanned"  # custom property of the layer of worst windows: when they were found
 
 
-def uncover(project: QgsProject, layer: QgsMapLayer) -> None:
-    """Take the pictures of a scan off the map where its windows are to be looked at: they hide what is judged."""
-    root = project.layerTreeRoot()
-    node = root.findLayer(layer.id())
-    if node is not None and node.parent() not in (None, root):
-        for beside in node.parent().findLayers():
-            if isinstance(beside.layer(), QgsRasterLayer):
-                beside.setItemVisibilityChecked(False)
+def uncover(project: QgsProject, mosaic: str) -> None:
+    """Take the pictures of a mosaic's scans off the map where its windows are looked at: they hide what is judged."""
+    for node in project.layerTreeRoot().findLayers():
+        layer = node.layer()
+        if isinstance(layer, QgsRasterLayer) and layer.customProperty(window_home.MADE_FOR) == mosaic:
+            node.setItemVisibilityChecked(False)
 
 
 def worst_layer(project: QgsProject, mosaic: str) -> QgsVectorLayer | None:
     """The worst windows of the last scan of a mosaic layer, while the project has them."""
     layers = [
         layer for layer in project.mapLayers().values()
-        if isinstance(layer, QgsVectorLayer) and layer.isValid() and layer.customProperty(_MOSAIC) == mosaic
+        if isinstance(layer, QgsVectorLayer) and layer.isValid() and layer.customProperty(_SCANNED)
+        and layer.customProperty(window_home.MADE_FOR) == mosaic
     ]
     return max(layers, key=lambda layer: str(layer.customProperty(_SCANNED)), default=None) if mosaic else None
 
@@ -261,15 +249,26 @@ def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
     return layer
 
 
-def scan_message(bar: QgsMessageBar, done: ScanDone, judge: Callable[[], None]) -> QgsMessageBarItem:
-    """Say how much was lost, and offer the worst places until they are taken, or the project closes."""
-    item = bar.createMessage(escape(scan_sentence(done), quote=False))
-    if done.worst_count:
-        button = QPushButton(tr("Judge"), item)  # a longer word would leave no room for the sentence
-        button.setToolTip(tr("Inspects the windows of the worst places, and goes to the worst that is not judged yet."))
-        button.clicked.connect(item.dismiss)
-        button.clicked.connect(lambda *_: judge())
-        item.layout().addWidget(button)
+def scan_message(
+    bar: QgsMessageBar, done: ScanDone, warnings: Sequence[Message], judge: Callable[[], None]
+) -> QgsMessageBarItem:
+    """Say how much was lost or could not be measured, with what was told of the scan behind a button, and offer the
+    worst places until they are taken, or the project closes."""
+    item = bar.createMessage(escape(sentence(done.finding), quote=False))
+    if warnings:
+        notes = rich_tip(*map(sentence, warnings))
+        _add_button(item, tr("More"), notes, lambda: QWhatsThis.showText(QCursor.pos(), notes, bar))
+    if done.worst_count:  # a longer word would leave no room for the sentence
+        tip = tr("Inspects the windows of the worst places, and goes to the worst that is not judged yet.")
+        _add_button(item, tr("Judge"), tip, judge).clicked.connect(item.dismiss)
     QgsProject.instance().cleared.connect(item.dismiss)
-    bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
+    bar.pushWidget(item, Qgis.MessageLevel.Success if done.finding.level is INFO else Qgis.MessageLevel.Warning, 0)
     return item
+
+
+def _add_button(item: QgsMessageBarItem, text: str, tip: str, press: Callable[[], None]) -> QPushButton:
+    button = QPushButton(text, item)
+    button.setToolTip(tip)
+    button.clicked.connect(lambda *_: press())
+    item.layout().addWidget(button)
+    return button

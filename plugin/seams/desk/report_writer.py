@@ -36,11 +36,6 @@ class ReportWriter(QObject):
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._failed)
 
-    @property
-    def can_start(self) -> bool:
-        """Whether a window is inspected, and no report under way."""
-        return any(row.verdict for row in self._session.windows()) and not self._background.is_under_way(_KEY)
-
     def ask(self) -> None:
         """Ask for the file, then write it; say so where what reports need is missing."""
         missing = missing_packages_sentence(pages=True)
@@ -63,7 +58,7 @@ class ReportWriter(QObject):
 
         session, project = self._session, QgsProject.instance()
         layer = session.window_layer()
-        if layer is None or not self.can_start:
+        if layer is None or self._background.is_under_way(_KEY):
             return
         self._folder = path.parent
         try:

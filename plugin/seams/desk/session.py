@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsMapLayer, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
@@ -34,7 +34,7 @@ from . import messages
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
 from .map.under_mouse import ClickedPiece, LiveWindows, SeamFinder
-from .window_home import WindowHome, WindowsMosaic, show_layers_of, windows_of
+from .window_home import MADE_FOR, WindowHome, WindowsMosaic, show_layers_of, windows_of
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults, WindowSteps, words_of
 from .windows.window_watch import WindowWatch
@@ -83,12 +83,13 @@ class Session(QObject):
         self._results = WindowResults(block, steps, watch, self._background, self, self._live.measure)
         self._new = NewWindows(home, block, watch, steps, self._background, self)
         self._searched: set[str] = set()  # mosaics whose windows were looked for
+        self._gone: dict[str, str] = {}  # ids of layers that were removed, by what they show
         self._connect_parts()
         self._connections = Connections(
             (project.readProject, self._load),
             (project.cleared, self._load),
             (project.writeProject, self._save),
-            (project.layersAdded, self._layers_changed),
+            (project.layersAdded, self._take_back),
             (project.layersWillBeRemoved, self._forget_layers),
             (project.layersRemoved, self._layers_changed),
         )
@@ -368,6 +369,7 @@ class Session(QObject):
         self._watch.state = None
         self._home.let_go()
         self._searched.clear()
+        self._gone.clear()
         self.lost_detail.setChecked(False)
         self._live.leave()
         self._live.let_go()
@@ -429,7 +431,17 @@ class Session(QObject):
         self._seams.refresh(anew=True)
         self._follow_block()
 
+    def _take_back(self, added: Sequence[QgsMapLayer]) -> None:
+        """A layer that was removed is there again, by another id: it is what it was, with what was made of it."""
+        back = {self._gone.pop(layer.source()): layer.id() for layer in added if layer.source() in self._gone}
+        for layer in self._project.mapLayers().values():
+            if (made_for := layer.customProperty(MADE_FOR)) in back:
+                layer.setCustomProperty(MADE_FOR, back[made_for])
+        self.set_inputs(self.inputs.with_ids(back))
+        self._layers_changed()
+
     def _forget_layers(self, ids: list[str]) -> None:
+        self._gone.update((layer.source(), layer.id()) for layer in map(self._project.mapLayer, ids) if layer)
         self._live.let_go()  # or their files could not be moved or deleted
         self._layers.leave(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:

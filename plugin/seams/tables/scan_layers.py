@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
@@ -10,14 +10,14 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString, QgsRast
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
-from ...imagery.errors import SettingsError
+from ...imagery.errors import INFO, WARNING, Message, SettingsError
 from ...imagery.records import Column
-from ...imagery.seam_totals import TOTALS_DOMAIN
+from ...imagery.seam_totals import STANDARD_LEAST_KEPT, TOTALS_DOMAIN, PieceState
 from ...toolkit.geopackages import write_table
 from ...toolkit.layers import rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
 from ..measure.planning.window_placing import PLACED_COLUMNS
-from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, seam_notes
+from ..measure.scan import scan_result
 
 if TYPE_CHECKING:
     from ..measure.scan.scan_request import ScanRequest
@@ -65,14 +65,36 @@ def _worst(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, Q
     return ((placed, rectangle(grid.window_extent(placed.window))) for placed in result.worst)
 
 
-SEAMS = ScanLayer("seams", "seams", QgsWkbTypes.Type.LineString, SEAM_COLUMNS, _pieces)
+SEAMS = ScanLayer("seams", "seams", QgsWkbTypes.Type.LineString, scan_result.SEAM_COLUMNS, _pieces)
 """One line per piece of seam."""
-CELLS = ScanLayer("source_cells", "source_cells", QgsWkbTypes.Type.MultiPolygon, CELL_COLUMNS, _cells)
+CELLS = ScanLayer("source_cells", "source_cells", QgsWkbTypes.Type.MultiPolygon, scan_result.CELL_COLUMNS, _cells)
 """One polygon per source."""
 WORST = ScanLayer("worst_windows", "placed_windows", QgsWkbTypes.Type.Polygon, PLACED_COLUMNS, _worst)
 """Windows of the least kept places, the least first."""
 SCAN_LAYERS = (WORST, SEAMS, CELLS)
 """In the order in which they lie on the map, the topmost first."""
+
+
+NO_SEAM = Message("Scanned: no seam was found.", INFO)
+NONE_FAILED = Message("None of {metres:.0f} m of seams failed.", INFO)
+FAILED = Message("{failed:.0f} of {metres:.0f} m failed: below {percent} % kept.", WARNING)
+NONE_MEASURED = Message("None of {metres:.0f} m of seams could be measured.", WARNING)
+PARTLY_MEASURED = Message("{finding} {lacking:.0f} m could not be measured.", WARNING)
+
+
+def scan_finding(pieces: Sequence[scan_result.JudgedPiece]) -> Message:
+    """What a scan says in the end: how much failed, and how much could not be measured."""
+    states = (), (PieceState.FAILED,), (PieceState.NOT_MEASURED,)
+    total, failed, lacking = (scan_result.metres(pieces, *counted) for counted in states)
+    finding = NONE_FAILED(metres=total - lacking) if total else NO_SEAM()
+    if failed:
+        finding = FAILED(failed=failed, metres=total, percent=round(100 * STANDARD_LEAST_KEPT))
+    elif total and round(lacking) == round(total):
+        return NONE_MEASURED(metres=total)
+    if not round(lacking):
+        return finding
+    level = finding.level if lacking < scan_result.LEAST_WITHOUT_VERDICT * total else WARNING
+    return replace(PARTLY_MEASURED(finding=finding, lacking=lacking), level=level)
 
 
 def is_picture(layer: QgsRasterLayer) -> bool:
@@ -91,5 +113,5 @@ def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> Non
             error = write_table(unfinished, layer.name, fields, layer.geometry, request.mosaic.wkt, rows)
             if error is not None:
                 raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))
-        notes = seam_notes(result)
+        notes = scan_result.seam_notes(result)
         write_layer_notes(str(unfinished), TOTALS_DOMAIN, notes, SEAMS.name)

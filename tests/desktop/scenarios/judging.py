@@ -27,16 +27,12 @@ def play(desk: Desk) -> None:
     """Undo, held keys, then in, through all windows, and out again."""
     block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
     desk.set_up(block, side_m, side_m / 2)  # windows that are larger than the map at 2x, so that there are places
-    desk.dock.place.trigger()
-    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
-    desk.dock.inspect.trigger()
-    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
-    desk.wait_for_work()
+    desk.place_and_inspect()
     undo(desk)
     desk.report["has_xdotool"] = shutil.which("xdotool") is not None  # it presses keys as the X server does
     if desk.report["has_xdotool"]:
         held_keys.play(desk)
-        press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
+        desk.press_in(desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
     desk.project.addMapLayer(QgsRasterLayer(str(block / "mosaic.tif"), "over"))  # hides the mosaic
     desk.project.layerTreeRoot().findLayer(desk.session.inputs.mosaic).setItemVisibilityChecked(False)
     desk.wait_for_map()
@@ -84,7 +80,7 @@ def undo(desk: Desk) -> None:
     line = desk.dock.windows.findChild(QLineEdit)
     line.setFocus()
     QTest.keyClicks(line, "ab")
-    press(desk, line, Qt.Key.Key_Z, CONTROL)
+    desk.press_in(line, Qt.Key.Key_Z, CONTROL)
     assert session.row(fid).observer == "visible", "a text field keeps its own undo"
     line.clear()
     desk.dock.setFloating(True)
@@ -92,15 +88,15 @@ def undo(desk: Desk) -> None:
     take_back_and_redo(desk, fid, desk.dock.windows.table, "floating")
     desk.dock.setFloating(False)
     for _ in range(3):
-        press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
+        desk.press_in(desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
     assert session.windows() == [], "all windows that were placed are one step, and so is their inspection"
     for _ in range(2):
-        press(desk, desk.dock.windows.table, Qt.Key.Key_Y, CONTROL)
+        desk.press_in(desk.dock.windows.table, Qt.Key.Key_Y, CONTROL)
     desk.wait(lambda: everything(desk) == before, 10, "windows and results back")
     session.select([session.windows()[-1].fid])
     desk.press(Qt.Key.Key_Delete)
     assert len(session.windows()) == len(before) - 1
-    press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
+    desk.press_in(desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
     assert everything(desk) == before
     edited.rollBack()  # else QGIS asks
     desk.project.removeMapLayer(edited.id())
@@ -141,10 +137,10 @@ def take_back_and_redo(desk: Desk, fid: int, widget: QWidget, where: str) -> Non
     session = desk.session
     count = len(session.windows())
     for again, modifiers in ((Qt.Key.Key_Z, CONTROL | SHIFT), (Qt.Key.Key_Y, CONTROL)):
-        press(desk, widget, Qt.Key.Key_Z, CONTROL)
+        desk.press_in(widget, Qt.Key.Key_Z, CONTROL)
         assert session.row(fid).observer == "", f"Ctrl+Z: {where}"
         assert len(session.windows()) == count, f"more than a step: {where}"
-        press(desk, widget, again, modifiers)
+        desk.press_in(widget, again, modifiers)
         assert session.row(fid).observer == "visible", f"redo: {where}"
     desk.report.setdefault("undone_from", []).append(where)
 
@@ -159,18 +155,9 @@ def draw_and_undo(desk: Desk) -> None:
     desk.wait(lambda: len(session.windows()) == count + 1 and not session.is_busy, 20, "a window is drawn")
     desk.wait(lambda: all(row.verdict for row in session.windows()), 20, "its result is written")
     assert session.steps.index() == steps + 1
-    press(desk, desk.canvas, Qt.Key.Key_Z, CONTROL)
+    desk.press_in(desk.canvas, Qt.Key.Key_Z, CONTROL)
     assert len(session.windows()) == count
     desk.dock.draw.trigger()
-
-
-def press(desk: Desk, widget: QWidget, pressed: Qt.Key, modifiers: Qt.KeyboardModifier) -> None:
-    """A key with others, where a widget has the focus."""
-    widget.window().activateWindow()
-    widget.setFocus()
-    desk.pause(0.1)
-    QTest.keyClick(QApplication.focusWidget() or widget, pressed, modifiers)
-    desk.pause(0.15)
 
 
 # Judging

@@ -12,8 +12,7 @@ from pathlib import Path
 from osgeo import gdal
 from qgis.core import QgsRectangle
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QPushButton, QToolBar, QWidget
+from qgis.PyQt.QtWidgets import QPushButton, QToolBar, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
@@ -99,11 +98,7 @@ def draw(desk: Desk, shots: Path) -> None:
 
 def inspect_all(desk: Desk) -> None:
     """Windows along the seams, the worst first."""
-    desk.dock.place.trigger()
-    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
-    desk.dock.inspect.trigger()
-    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
-    desk.wait_for_work()
+    desk.place_and_inspect()
     desk.sort_by_loss()
     desk.rest_mouse()
 
@@ -152,11 +147,7 @@ def dense(desk: Desk, shots: Path) -> None:
     side_m = float(desk.parameters["small_side_m"])
     desk.set_up(Path(desk.parameters["block"]), side_m, 1.15 * side_m, mosaic=desk.parameters["mosaic"])
     desk.session.set_inputs(replace(desk.session.inputs, reference="sources"))
-    desk.dock.place.trigger()
-    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
-    desk.dock.inspect.trigger()
-    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
-    desk.wait_for_work()
+    desk.place_and_inspect()
     rows = desk.session.windows()
     for place, observer in enumerate(("visible", "invisible", "unsure")):
         desk.session.judge([row.fid for row in rows[place::6]], observer)
@@ -219,12 +210,3 @@ def show_loss(desk: Desk, fid: int) -> None:
 def worst(desk: Desk) -> int:
     """The first window of the order that begins with the worst."""
     return int(desk.dock.windows.ordered_fids()[0])
-
-
-def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:
-    """A key where a widget has the focus."""
-    desk.window.activateWindow()
-    widget.setFocus()
-    desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")
-    QTest.keyClick(QApplication.focusWidget(), key)
-    desk.pause(0.1)

@@ -9,13 +9,10 @@ from pathlib import Path
 from qgis.core import QgsApplication, QgsRectangle
 from qgis.gui import QgsMessageBarItem
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
 from demo.gaps import Gaps
-from tests.desktop.scenarios.scan import note
 
 JUDGED = 30
 WORDS = ((Qt.Key.Key_V, "visible"), (Qt.Key.Key_I, "invisible"), (Qt.Key.Key_U, "unsure"))
@@ -52,7 +49,7 @@ def inspect(desk: Desk) -> None:
         desk.wait_for_work()
     items = iface.messageBar().findChildren(QgsMessageBarItem)
     desk.report["said_over_the_map"] = sum(item not in before for item in items)
-    note(desk, "inspect", gaps)
+    gaps.note(desk.report, "inspect")
 
 
 def judge_by_keys(desk: Desk, shots: Path) -> None:
@@ -65,7 +62,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
             key, word = WORDS[number % 7 % 3]
             fid = session.selected()[0]
             window = session.row(fid).window_id
-            press(desk, everywhere[number % len(everywhere)], key)
+            desk.press_in(everywhere[number % len(everywhere)], key)
             row = next(row for row in session.windows() if row.window_id == window)
             seen.append(row.loss or 0.0)
             if row.observer != word or not in_the_middle(desk):
@@ -76,11 +73,11 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
                 desk.screenshot(shots / "judging.png")
     desk.report["wrong"] = wrong
     desk.report["worst_first"] = seen == sorted(seen, reverse=True)
-    note(desk, "judge", gaps)
+    gaps.note(desk.report, "judge")
     before = session.selected()
-    press(desk, desk.canvas, Qt.Key.Key_Backspace)
+    desk.press_in(desk.canvas, Qt.Key.Key_Backspace)
     assert session.selected() != before
-    press(desk, desk.canvas, Qt.Key.Key_V)
+    desk.press_in(desk.canvas, Qt.Key.Key_V)
     assert session.selected() == before
 
 
@@ -93,24 +90,15 @@ def judge_blind(desk: Desk, shots: Path) -> None:
     model.change(operator=2, is_blind=True)
     desk.pause(0.3)
     assert "significant" not in iface.statusBarIface().currentMessage()
-    press(desk, desk.canvas, Qt.Key.Key_N)
+    desk.press_in(desk.canvas, Qt.Key.Key_N)
     for number in range(20):
-        press(desk, desk.canvas, WORDS[number % 5 % 2][0])
+        desk.press_in(desk.canvas, WORDS[number % 5 % 2][0])
     desk.rest_mouse()
     desk.wait_for_map()
     desk.screenshot(shots / "judging_blind.png")
     desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
     desk.report["blind_columns"] = desk.headings()
     model.change(operator=1, is_blind=False)
-
-
-def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:
-    """A key where a widget has the focus."""
-    desk.window.activateWindow()
-    widget.setFocus()
-    desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")
-    QTest.keyClick(QApplication.focusWidget(), key)
-    desk.pause(0.1)  # until it is up
 
 
 def in_the_middle(desk: Desk) -> bool:

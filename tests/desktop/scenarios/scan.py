@@ -55,7 +55,7 @@ def scan(desk: Desk) -> None:
             desk.dock.scan.trigger()
         desk.wait(lambda: ends, 120, "the scan's end")
         desk.pause(1)
-    note(desk, "scan", gaps)
+    gaps.note(desk.report, "scan")
     desk.report["metres"], desk.report["failed"] = ends[0].seam_metres, ends[0].failed_metres
     layers = desk.project.layerTreeRoot().findLayers()  # the topmost first
     desk.report["worst_count"], desk.report["layers"] = ends[0].worst_count, [node.name() for node in layers][:4]
@@ -72,7 +72,7 @@ def judge_worst(desk: Desk) -> None:
         windows = desk.session.windows
         desk.wait(lambda: windows() and all(row.verdict for row in windows()), 120, "verdicts")
         desk.pause(0.5)
-    note(desk, "judge", gaps)
+    gaps.note(desk.report, "judge")
     desk.report["first"] = [desk.session.row(fid).window_id for fid in desk.session.selected()]
     walked, in_sight = [], []
     with desk.judging():
@@ -103,10 +103,3 @@ def in_view(desk: Desk) -> bool:
     """Whether the map shows the middle of the selected window."""
     (fid,) = desk.session.selected()
     return bool(desk.canvas.extent().contains(QgsRectangle(*desk.session.row(fid).extent).center()))
-
-
-def note(desk: Desk, name: str, gaps: Gaps) -> None:
-    """How long the interface stood still, into the report."""
-    desk.report[f"{name}_gap_ms"] = 1000 * gaps.longest_s
-    desk.report[f"{name}_work_ms"] = 1000 * gaps.longest_work_s
-    desk.report[f"{name}_gaps"] = gaps.long_ones

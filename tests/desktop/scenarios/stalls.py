@@ -42,20 +42,20 @@ def play(desk: Desk) -> None:
     with Gaps() as first:  # QGIS makes the layer then
         session.add_window(windows[0])
         desk.wait(lambda: any(map(desk.curves_of, session.selected())), 60, "curves of the first window")
-    note(desk, "first", first)
+    first.note(desk.report, "first")
     with Gaps() as drawing:
         for window in windows[1:]:
             session.add_window(window)
             desk.pause(0.05)
         desk.wait(lambda: not session.is_busy, 300, "windows drawn and inspected")
         desk.pause(0.5)
-    note(desk, "drawing", drawing)
+    drawing.note(desk.report, "drawing")
     fids = [row.fid for row in session.windows()]
     with Gaps() as inspecting:
         session.inspect(fids[:AGAIN])
         desk.wait(lambda: not session.is_busy, 120, "windows inspected")
         desk.pause(0.5)
-    note(desk, "inspecting", inspecting)
+    inspecting.note(desk.report, "inspecting")
     with Gaps() as judging:
         session.inspect(fids[:AGAIN])
         for fid in fids[:AGAIN]:
@@ -64,10 +64,10 @@ def play(desk: Desk) -> None:
             session.judge([fid], "visible")
             desk.pause(0.2)
         desk.wait(lambda: not session.is_busy, 120, "windows inspected while others are judged")
-    note(desk, "judging", judging)
+    judging.note(desk.report, "judging")
     with Gaps() as placing:
         place(desk, mosaic, seams)
-    note(desk, "placing", placing)
+    placing.note(desk.report, "placing")
     desk.report["placed"] = len(session.windows()) - len(fids)
     desk.report["windows"] = len(fids)
     desk.report["inspected"] = sum(bool(row.verdict) for row in session.windows())
@@ -93,12 +93,12 @@ def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer, seams: QgsVectorLayer) 
     move(desk, points, 1.0)  # blocks are read the first time
     with Gaps() as moving:
         move(desk, points, LIVE_S)
-    note(desk, "moving", moving)
+    moving.note(desk.report, "moving")
     desk.wait(lambda: session.live is not None, 20, "curves of the window under the mouse")
     QTest.mousePress(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, desk.pixel(steps[0]))
     with Gaps() as dragging:
         move(desk, cycle([(x, y - 0.1 * box.height()) for x, y in steps[60:]]), LIVE_S)
-    note(desk, "dragging", dragging)
+    dragging.note(desk.report, "dragging")
     QTest.keyClick(desk.canvas, Qt.Key.Key_Escape)
     QTest.mouseRelease(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, desk.pixel(steps[0]))
     for count in (20, 200):
@@ -146,10 +146,3 @@ def place(desk: Desk, mosaic: QgsRasterLayer, seams: QgsVectorLayer) -> None:
     desk.wait(lambda: len(session.windows()) > before and not session.is_busy, 60, "windows placed")
     desk.pause(0.5)
     desk.project.removeMapLayer(seams.id())  # QGIS asks before it forgets one in memory
-
-
-def note(desk: Desk, name: str, gaps: Gaps) -> None:
-    """Into the report."""
-    desk.report[f"{name}_gap_ms"] = 1000 * gaps.longest_s
-    desk.report[f"{name}_work_ms"] = 1000 * gaps.longest_work_s
-    desk.report[f"{name}_gaps"] = gaps.long_ones

@@ -166,6 +166,10 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
             {**SOUND, "cause": "none", "causes": "none", "visibility": 0.1, "feather_width": 0.0, "loss": 0.0},
             "Preserved. Along the seam as much of the finest detail is left as around it.",
         ),
+        (  # what was done, without a number along a seam
+            {"verdict": "preserved", "kept": (), "cause": "compressed", "causes": "compressed", "reason": "No seam."},
+            "Preserved. No seam. The mosaic was compressed with loss.",
+        ),
         (  # by the sharpness, too: kept is not shown
             {"kept": (1.37,), "kept_low": 1.1, "kept_high": 1.6, "band_width": 0.0, "sharpness": 0.36,
              "causes": "blur", "loss": 8704.0},

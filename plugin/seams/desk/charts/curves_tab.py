@@ -25,14 +25,29 @@ if TYPE_CHECKING:
 _TOGETHER_MS = 150  # changes that come within this time are drawn once
 
 
-class CurvesPanel(ChartPanel):
+class _SavedChart(ChartPanel):
+    """A chart that follows the session; below it what is said of it, and a button that saves its picture."""
+
+    def __init__(self, session: Session, chart: QWidget) -> None:
+        super().__init__()
+        self._session, self._status, self._save = session, ClippedLabel(2), PictureButton()
+        self._save.notified.connect(session.messageRaised)
+        self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
+        self._pages.addWidget(chart)
+        self._lay_out(self._status, self._save)
+
+
+class CurvesPanel(_SavedChart):
     """Curves of one window; words where there is nothing to draw."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._session = session
+    def __init__(self, session: Session) -> None:
+        super().__init__(session, chart := CurvesChart())
+        self._chart = chart
+        self._chart.setToolTip(rich_tip(tr(
+            "The composite is what a hard cut of the sources along the seam, levelled to the mosaic's tone, would "
+            "have. On or below the limit a loss is significant by curves."
+        )))
         self.shown: Sequence[WindowResult] = ()  # what the chart is asked to draw
-        self._build()
         session.selectionChanged.connect(self._refresh_now)
         session.inputsChanged.connect(self._refresh_now)
         session.windowsChanged.connect(self._refresh_soon)
@@ -40,21 +55,6 @@ class CurvesPanel(ChartPanel):
         session.liveChanged.connect(self._refresh_now)
         session.curvesArrived.connect(self._on_result)
         session.resultArrived.connect(self._on_result)
-
-    # widgets
-
-    def _build(self) -> None:
-        self._save = PictureButton()
-        self._save.notified.connect(self._session.messageRaised)
-        self._chart = CurvesChart()
-        self._chart.setToolTip(rich_tip(tr(
-            "The composite is what a hard cut of the sources along the seam, levelled to the mosaic's tone, would "
-            "have. On or below the limit a loss is significant by curves."
-        )))
-        self._pages.addWidget(self._chart)
-        self._status = ClippedLabel(2)
-        self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
-        self._lay_out(self._status, self._save)
 
     # when to draw
 
@@ -141,25 +141,21 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     return tr("The curves are not saved with the project. Inspect again to see them.")
 
 
-class ProfilePanel(ChartPanel):
+class ProfilePanel(_SavedChart):
     """Chart and a line of words. Looks anew once it comes into sight."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._session = session
-        self.chart = ProfileChart()
+    def __init__(self, session: Session) -> None:
+        super().__init__(session, chart := ProfileChart())
+        self.chart = chart
         self.chart.pointed.connect(self._say)
-        self._build()
+        self.chart.setToolTip(
+            tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
+        )
         for signal in (
             session.selectionChanged, session.inputsChanged, session.windowsChanged, session.resultArrived,
             session.liveChanged,
         ):  # fmt: skip
             signal.connect(self._refresh_now)
-
-    @property
-    def words(self) -> str:
-        """What is said in the chart's place; empty while there is one."""
-        return str(self._text.text()) if self._pages.currentWidget() is self._text else ""
 
     def show_profile(self, shown: ShownProfile) -> None:
         """Show any place's profile, as while the mouse is dragged; the next ``refresh`` shows the selected window's
@@ -202,17 +198,6 @@ class ProfilePanel(ChartPanel):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._say()
-
-    def _build(self) -> None:
-        self._pages.addWidget(self.chart)
-        self._status = ClippedLabel(2)
-        self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
-        self.chart.setToolTip(
-            tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
-        )
-        self._save = PictureButton()
-        self._save.notified.connect(self._session.messageRaised)
-        self._lay_out(self._status, self._save)
 
     def _refresh(self) -> None:
         if self.isVisible():

@@ -196,15 +196,11 @@ class ImagesPanel(QWidget):
             title = filled(tr("{name} (its own stretch)"), name=title)
         is_cut = not self.choice.currentData()  # which is of the window alone
         self.other.show_layers([] if layer is None else [layer, mosaic] if is_cut else [layer], mosaic.crs())
-        self._outline(title)
-
-    def _outline(self, title: str) -> None:
-        """What is seen, and where the window is in it."""
-        selected, layer = self._session.selected(), self._session.window_layer()
+        selected, windows = self._session.selected(), self._session.window_layer()
         row = self._session.row(selected[0]) if selected else None
-        if row is not None and row.extent is not None and layer is not None:
+        if row is not None and row.extent is not None and windows is not None:
             for canvas, words in ((self.mosaic, tr("mosaic")), (self.other, title)):
-                canvas.outline.show(QgsRectangle(*row.extent), words, layer.crs())
+                canvas.outline.show(QgsRectangle(*row.extent), words, windows.crs())
 
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""

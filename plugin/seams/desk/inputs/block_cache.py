@@ -37,7 +37,6 @@ from ...jobs import ScanOrder
 from ...measure import messages
 from ...measure.blocks.block_grid import ScanSettings
 from ...measure.seam_cells import Cell
-from ...measure.seamlines.seam_features import SeamFeature
 from ...measure.source_images import Source
 from ...measure.window.inspection import Block, make_block, window_request, without_copies
 from ...measure.window.measured_window import InspectionSettings, WindowRequest
@@ -180,10 +179,10 @@ class BlockCache(QObject):
         if self._opened is None:
             raise SettingsError(self._unopened)
         inputs, mosaic, read_seams = self.inputs, self._opened.mosaic, None
-        if (seamlines := LayerFeatures.of(self._project.mapLayer(inputs.seamlines))) is not None:
-            crs = layers.mosaic_crs(mosaic)
-            transform = transformation(seamlines.crs, crs, self._project.transformContext())
-            read_seams = partial(_read_seams, seamlines, transform)
+        if (given := self._given_seams(mosaic)) is not None:
+            seamlines, transform = given
+            source, names = seamlines.source, seamlines.names
+            read_seams = lambda: input_layers.seam_features(source.getFeatures(), names, transform)  # noqa: E731
         is_without = not self._opened.indexed and not layer_sources(self._project, inputs, mosaic)
         sources = () if is_without and read_seams is not None else self.required().sources
         settings = ScanSettings(
@@ -240,11 +239,14 @@ class BlockCache(QObject):
 
     def seamlines(self, block: Block) -> Iterator[bytes | None] | None:
         """The seamlines' geometries in the mosaic's reference system, to be read in any thread."""
-        seamlines = LayerFeatures.of(self._project.mapLayer(self.inputs.seamlines))
+        given = self._given_seams(block.mosaic)
+        return None if given is None else _geometries(*given)
+
+    def _given_seams(self, mosaic: Raster) -> tuple[LayerFeatures, QgsCoordinateTransform] | None:
+        seamlines, crs = LayerFeatures.of(self._project.mapLayer(self.inputs.seamlines)), layers.mosaic_crs(mosaic)
         if seamlines is None:
             return None
-        crs = layers.mosaic_crs(block.mosaic)
-        return _geometries(seamlines, transformation(seamlines.crs, crs, self._project.transformContext()))
+        return seamlines, transformation(seamlines.crs, crs, self._project.transformContext())
 
     def outlines(self, block: Block, layer: QgsVectorLayer, windows: Sequence[PixelWindow]) -> list[QgsGeometry]:
         """Windows as polygons in a layer's reference system, where they need not be upright.
@@ -313,12 +315,6 @@ def _requests(
                 continue
             why = imagery_messages.EXTENT_NOT_TRANSFORMED()
         yield WindowRequest(row.window_id, block.mosaic, (), None, settings, why)
-
-
-def _read_seams(
-    seamlines: LayerFeatures, transform: QgsCoordinateTransform
-) -> tuple[list[SeamFeature], Message | None]:
-    return input_layers.seam_features(seamlines.source.getFeatures(), seamlines.names, transform)
 
 
 def _geometries(seamlines: LayerFeatures, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:

@@ -24,6 +24,7 @@ from ...measure.limits import DENSITIES
 from ...measure.planning.window_placing import fitting_side_m, window_side_px
 from ...measure.window_records import REFERENCES
 from ...tables.input_layers import CELL_FIELD, LOCATION_FIELD
+from ...window_summary import shown_side
 from .sources import SourceList, Suggesting
 
 if TYPE_CHECKING:
@@ -177,7 +178,7 @@ class InputsPanel(QWidget):
             try:
                 pixels = window_side_px(grid, inputs.placing)
                 metres = pixels * grid.ground_sample_distance
-                text = filled(tr("{pixels} px, {metres} m"), pixels=pixels, metres=shown_metres(metres))
+                text = filled(tr("{pixels} px, {metres} m"), pixels=pixels, metres=shown_side(metres))
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")
                 if pixels < limits.MEASURABLE_SIDE_PX:
                     few = tr("few windows below {pixels} px can be measured")
@@ -241,7 +242,7 @@ class InputsPanel(QWidget):
         layout.addWidget(self.doubts)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         before_more = (self.index, self.seamlines, self.windows, self.side, self.more)
-        order = (self.box, self.mosaic, *self.sources.fields(), *before_more, *self.more.boxes.values())
+        order = (self.box, self.mosaic, *self.sources.fields, *before_more, *self.more.boxes.values())
         for before, after in zip(order, order[1:]):
             QWidget.setTabOrder(before, after)
 

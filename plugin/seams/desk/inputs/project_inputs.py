@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from types import MappingProxyType
 from typing import Any, TypeVar
 
@@ -47,6 +47,11 @@ class Inputs:
     def placing(self) -> PlacingSettings:
         """How windows are placed."""
         return PlacingSettings(self.side_m, self.spacing_m, self.levels)
+
+    def with_ids(self, others: Mapping[str, str]) -> Inputs:
+        """With other layers for some, by their ids."""
+        named: dict[str, Any] = {name: others[value] for name, value in vars(self).items() if value in others}
+        return replace(self, **named, sources=tuple(others.get(source, source) for source in self.sources))
 
 
 def load_inputs(project: QgsProject) -> Inputs:

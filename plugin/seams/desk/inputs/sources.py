@@ -32,6 +32,7 @@ from ...measure.inputs.raster_facts import COLOURS, RasterFacts, likely_mosaic, 
 from ...measure.seamlines.seam_features import seam_fields
 from ...tables.input_layers import LOCATION_FIELD
 from ...tables.scan_layers import is_picture
+from ..window_home import MADE_FOR
 from .project_inputs import Inputs, load_inputs
 
 if TYPE_CHECKING:
@@ -128,6 +129,7 @@ class Suggesting(QObject):
 
 
 _SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)
+_ANY_NAME = {"", "name", "localid"}  # fields of polygons of all kinds
 _OTHERS = {"kept_1", "verdict", "window_id", "ratio_1", LOCATION_FIELD}  # fields of results, and of a source index
 
 
@@ -148,7 +150,7 @@ def with_likely_mosaic(inputs: Inputs) -> Inputs:
 
 def likely_seamlines(mosaic_id: str) -> str:
     """The one layer on the mosaic that looks like its seams, by its name or by fields that say what lies on either
-    side; empty where there is none, or more."""
+    side, or which orthoimage a polygon is filled from; empty where there is none, or more."""
     mosaic = QgsProject.instance().mapLayer(mosaic_id)
     vectors = [layer for layer in QgsProject.instance().mapLayers().values() if isinstance(layer, QgsVectorLayer)]
     likely = [vector for vector in vectors if _are_seams(vector)] if isinstance(mosaic, QgsRasterLayer) else []
@@ -159,9 +161,11 @@ def likely_seamlines(mosaic_id: str) -> str:
 def _are_seams(layer: QgsVectorLayer) -> bool:
     names, kind = layer.fields().names(), layer.geometryType()
     kinds = QgsWkbTypes.GeometryType.LineGeometry, QgsWkbTypes.GeometryType.PolygonGeometry
-    if not layer.isValid() or kind not in kinds or _OTHERS.intersection(names):
+    if not layer.isValid() or kind not in kinds or _OTHERS.intersection(names) or layer.customProperty(MADE_FOR):
         return False
-    return bool(_SEAM_NAMES.search(layer.name()) or seam_fields([dict.fromkeys(names, "x")]).left)
+    fields = seam_fields([dict.fromkeys(names, "x")])
+    has_owners = kind == kinds[1] and fields.source.lower() not in _ANY_NAME
+    return bool(_SEAM_NAMES.search(layer.name()) or fields.left or has_owners)
 
 
 def _meets(layer: QgsVectorLayer, mosaic: QgsRasterLayer) -> bool:
@@ -287,10 +291,7 @@ class SourceList(QWidget):
         self.list.itemChanged.connect(self._tell)
         self.suggested.clicked.connect(self.suggestionWanted)
         self.none.clicked.connect(lambda *_: self.changed.emit(()))
-
-    def fields(self) -> tuple[QWidget, ...]:
-        """In tab order."""
-        return self.suggested, self.none, self.list
+        self.fields = self.suggested, self.none, self.list  # in tab order
 
     def show_sources(self, mosaic_id: str, sources: Sources, reasons: Mapping[str, Message | None]) -> None:
         """Show the rasters of the project with the sources checked; ``reasons`` why some are not suggested."""

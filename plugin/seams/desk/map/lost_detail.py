@@ -202,11 +202,6 @@ class LossOverlay(QObject):
             (session.lost_detail.toggled, self._refresh),
         )  # fmt: skip
 
-    @property
-    def pictures(self) -> tuple[PlacedPicture, ...]:
-        """What lies over the map."""
-        return self._overlay.pictures
-
     def close(self) -> None:
         """Take all off the canvas and follow the session no more."""
         self._connections.close()
@@ -260,7 +255,7 @@ class LossOverlay(QObject):
         ]
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
         self._overlay.set_visible(not self._gives_way)
-        self._legend.show_legend()
+        self._legend.show_legend(is_reading=is_late)
 
 
 def loss_of(row: WindowRecord, result: WindowResult) -> WindowPicture:
@@ -293,13 +288,14 @@ class LossLegend(QLabel):
         self.hide()
         canvas.installEventFilter(self)
 
-    def show_legend(self) -> None:
-        """In the map's own corner, in front of what it shows."""
+    def show_legend(self, is_reading: bool = False) -> None:
+        """In the map's own corner, in front of what it shows. ``is_reading``: some colours are to come."""
         swatch, words = "<td style='background: {}'>&nbsp;&nbsp;&nbsp;&nbsp;</td><td>&nbsp;{}</td>", []
         for text, (*rgb, alpha) in loss_legend():
             colour = blended(QColor(*rgb), _GROUND, LOSS_OPACITY * alpha / 255)
             words.append(swatch.format(colour.name(), escape(text)))
-        page = escape(tr("Detail kept")) + f"<table><tr>{'</tr><tr>'.join(words)}</tr></table>"
+        title = tr("Detail kept: reading ...") if is_reading else tr("Detail kept")
+        page = escape(title) + f"<table><tr>{'</tr><tr>'.join(words)}</tr></table>"
         self.setText(page)
         self._place()
         self.show()

@@ -104,7 +104,7 @@ class LiveWindows(QObject):
         self._block = block
         self._lanes = ReadingLanes()
         self.measure = MeasuredAhead(self._lanes)
-        self._current: LiveWindow | None = None
+        self.current: LiveWindow | None = None  # the window that is being moved, as far as it is known
         self._hovered: PixelWindow | None = None
         self._curves = LatestOnly("seam-inspector-live-curves", self)
         self._curves.arrived.connect(self._take_pixels)
@@ -118,14 +118,9 @@ class LiveWindows(QObject):
         self._rest = single_shot(self, self._measure_ahead, _REST_MS)
         self._idle = single_shot(self, self.let_go, _IDLE_MS)
 
-    @property
-    def current(self) -> LiveWindow | None:
-        """The window that is being moved, as far as it is known."""
-        return self._current
-
     def hover(self, window: PixelWindow, is_live: bool) -> None:
         """The window under the mouse; ``is_live`` when its curves are to be seen while it moves."""
-        if window == self._hovered and (self._current is not None or not is_live):
+        if window == self._hovered and (self.current is not None or not is_live):
             return
         self._hovered = window
         self._rest.start()
@@ -134,7 +129,7 @@ class LiveWindows(QObject):
             request = self._request(window)
             if request is not None:
                 self._curves.ask(partial(read_live, request, self._lanes))
-        elif self._current is not None:
+        elif self.current is not None:
             self._stop()
 
     def leave(self) -> None:
@@ -165,8 +160,8 @@ class LiveWindows(QObject):
     def _stop(self) -> None:
         self._curves.forget()
         self._profiles.forget()
-        if self._current is not None:
-            self._current = None
+        if self.current is not None:
+            self.current = None
             self.changed.emit()
 
     def _request(self, window: PixelWindow) -> WindowRequest | None:
@@ -188,14 +183,14 @@ class LiveWindows(QObject):
             self.changed.emit()
 
     def _take_pixels(self, pixels: MeasuredWindow) -> None:
-        window, before = pixels.request.window, self._current
+        window, before = pixels.request.window, self.current
         assert window is not None
         profile = before.profile if before is not None else None
-        self._current = LiveWindow(window, pixels.result, profile)
+        self.current = LiveWindow(window, pixels.result, profile)
         self._profiles.ask(lambda: (live_profile(pixels),))
         self.changed.emit()
 
     def _take_profile(self, profiles: tuple[SeamProfile | None]) -> None:
-        if self._current is not None:
-            self._current = replace(self._current, profile=profiles[0])
+        if self.current is not None:
+            self.current = replace(self.current, profile=profiles[0])
             self.changed.emit()

@@ -262,21 +262,9 @@ def window_under(
     here = transformed_place(point, crs, layer.crs())
     if here is None:
         return None
-    under = [row for row in windows if _holds(row, here.x(), here.y())]
-    return min(under, key=lambda row: _distance(row, here.x(), here.y()), default=None)
-
-
-def _holds(row: WindowRecord, x: float, y: float) -> bool:
-    if row.extent is None:
-        return False
-    xmin, ymin, xmax, ymax = row.extent
-    return xmin <= x <= xmax and ymin <= y <= ymax
-
-
-def _distance(row: WindowRecord, x: float, y: float) -> float:
-    assert row.extent is not None
-    xmin, ymin, xmax, ymax = row.extent
-    return ((xmin + xmax) / 2 - x) ** 2 + ((ymin + ymax) / 2 - y) ** 2
+    x, y = here.x(), here.y()
+    under = [(at, row) for row in windows if (at := row.extent) and at[0] <= x <= at[2] and at[1] <= y <= at[3]]
+    return min(under, key=lambda held: QgsRectangle(*held[0]).center().sqrDist(here), default=(None, None))[1]
 
 
 _REACH_PX = 8  # screen pixels at 96 dpi, from a line

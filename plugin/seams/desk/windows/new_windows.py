@@ -15,13 +15,14 @@ from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.tool_dock import write_log
-from ....toolkit.translation import filled, shown_metres, tr
+from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure import messages
 from ...measure.planning.window_placing import Placement
 from ...measure.window.inspection import Block
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
+from ...window_summary import shown_side
 from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache
 from ..window_home import WindowHome
@@ -97,7 +98,7 @@ class NewWindows(QObject):
         fids = [next(new) if fid is None else fid for fid in there]
         count = len(set(fids))
         widths = [feature.geometry().boundingBox().width() * grid.metres_x for feature in features] or [0.0]
-        sides = " - ".join(dict.fromkeys(map(shown_metres, (min(widths), max(widths)))))
+        sides = " - ".join(dict.fromkeys(map(shown_side, (min(widths), max(widths)))))
         self.notified.emit(keeping_messages.PLACES_TAKEN(count=count, sides=sides, there=count - len(places)))
         return fids
 

@@ -112,8 +112,8 @@ COLUMNS = (
     TableColumn(
         "loss", QT_TR_NOOP("loss"),
         QT_TR_NOOP("The finest detail that is missing, along the seam or in the whole window, given as the square "
-                   "metres of the window that hold as much; 0 where no loss is certain."),
-        lambda row: "" if row.loss is None else shown_area(row.loss), lambda row: row.loss,
+                   "metres of the window that hold as much; empty where no loss is certain."),
+        lambda row: shown_area(row.loss) if row.loss else "", lambda row: row.loss,
         _ALIGNED_RIGHT,
     ),
     TableColumn(

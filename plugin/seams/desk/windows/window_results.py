@@ -95,7 +95,10 @@ class WindowSteps(QObject):
         super().__init__(parent)
         self._watch = watch
         self.stack = QUndoStack(self)
-        watch.rolledBack.connect(self.stack.clear)  # what the desk did is gone, too
+        self._saved = self._kept = 0  # steps taken that are in the file, and those of them that are still known
+        self._is_silent = False
+        watch.saved.connect(self._note_saved)
+        watch.rolledBack.connect(self._drop_unsaved)
 
     def do(self, step: Step, words: str) -> None:
         """Take a step. Raises WindowLayerError, and nothing is done, when the layer can't be written."""
@@ -104,6 +107,7 @@ class WindowSteps(QObject):
 
     def note(self, step: Step, words: str) -> None:
         """A step that is being taken."""
+        self._kept = min(self._kept, self.stack.index())
         self.stack.push(_Command(words, lambda is_undone: self._replay(step, is_undone, words)))
 
     def change(self, values: Mapping[int, Mapping[str, object]], words: str) -> None:
@@ -135,22 +139,40 @@ class WindowSteps(QObject):
         layer = self._watch.writable()
         return step.apply(self._watch, layer, is_undone, words) if layer is not None else []
 
-    def _replay(self, step: Step, is_undone: bool, words: str) -> None:
+    def _replay(self, step: Step, is_undone: bool, words: str) -> bool:
+        """Whether the step is to be forgotten."""
+        if self._is_silent:
+            return is_undone
         try:
             self.stepped.emit(self._apply(step, is_undone, words))
         except SeamInspectorError as error:
             self.failed.emit(error.message)
+        return False
+
+    def _note_saved(self) -> None:
+        """All that is done is in the file; what comes now lies in the buffer of QGIS's pencil."""
+        self._saved = self._kept = self.stack.index()
+
+    def _drop_unsaved(self) -> None:
+        """What was done since the pencil was taken up is gone, and what was undone is there again."""
+        self._is_silent = True
+        while self.stack.index() > self._kept:
+            self.stack.undo()
+        while self.stack.index() < self._saved and self.stack.canRedo():
+            self.stack.redo()
+        self._is_silent = False
+        self._note_saved()
 
 
 class _Command(QUndoCommand):
     """What QUndoStack calls; it takes the step first when it is pushed, which is done by then."""
 
-    def __init__(self, words: str, replay: Callable[[bool], None]) -> None:
+    def __init__(self, words: str, replay: Callable[[bool], bool]) -> None:
         super().__init__(words)
         self._replay, self._is_pushed = replay, False
 
     def undo(self) -> None:
-        self._replay(True)
+        self.setObsolete(self._replay(True))
 
     def redo(self) -> None:
         if self._is_pushed:

@@ -34,11 +34,13 @@ class WindowWatch(QObject):
     replaced = pyqtSignal()  # the layer has another data source
 
     fieldMissed = pyqtSignal(object)  # the Message on a field of the windows file that was removed or renamed
+    saved = pyqtSignal()  # all edits are in the file, as when QGIS's tools are taken up
     rolledBack = pyqtSignal()  # edits that were made with QGIS's tools are no more, and the desk's among them
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._layer: QgsVectorLayer | None = None
+        self.layer: QgsVectorLayer | None = None
+        """The layer, while it is there."""
         self._notifier = single_shot(self, self._notify)
         self._last_selected: set[int] | None = set()  # the selection
         self._is_unmoved = False
@@ -52,31 +54,26 @@ class WindowWatch(QObject):
         self._unnumbered: set[int] = set()
         self._missing: list[str] = []  # fields that were removed or renamed
         self._given: dict[int | Extent | None, int] = {}  # numbers of windows that have none, by feature id and place
-        is_ours = self._layer is not None and window_layer.is_in_file(self._layer)
-        self.path = Path(layer_path(self._layer)) if is_ours else None
+        is_ours = self.layer is not None and window_layer.is_in_file(self.layer)
+        self.path = Path(layer_path(self.layer)) if is_ours else None
         """The windows file; None for a layer of another format, which is only read."""
         self.fingerprints = window_file.fingerprints(self.path) if self.path is not None else {}
         """What the values are of that windows have in the file, by number; of those that were removed, too."""
         self._last_number = max(self.fingerprints, default=0)  # a number is not used again
-
-    @property
-    def layer(self) -> QgsVectorLayer | None:
-        """The layer, while it is there."""
-        return self._layer
 
     def watch(self, layer: QgsMapLayer | None) -> None:
         """Follow another layer; none when it can't hold windows."""
         for signal, slot in self._signals():
             with suppress(TypeError, RuntimeError):  # the layer is gone already
                 signal.disconnect(slot)
-        self._layer = layer if window_layer.holds_windows(layer) else None
+        self.layer = layer if window_layer.holds_windows(layer) else None
         had_windows = bool(self._rows)
         if self._last_selected:
             self._last_selected = None  # of equal ids others are meant now
         self._forget()
         for signal, slot in self._signals():
             signal.connect(slot)
-        if had_windows or self._last_selected is None or self._layer is not None:
+        if had_windows or self._last_selected is None or self.layer is not None:
             self._notifier.start()
 
     @contextmanager
@@ -117,9 +114,9 @@ class WindowWatch(QObject):
 
     def writable(self) -> QgsVectorLayer | None:
         """The layer, to be written to. Raises WindowLayerError for one that is only read."""
-        if self._layer is not None and self.path is None:
-            raise WindowLayerError(messages.WINDOWS_TO_COPY(name=self._layer.name()))
-        return self._layer
+        if self.layer is not None and self.path is None:
+            raise WindowLayerError(messages.WINDOWS_TO_COPY(name=self.layer.name()))
+        return self.layer
 
     def prepare(self, fids: Iterable[int], levels: int) -> None:
         """See to it that the layer has the fields of so many levels, and these windows their numbers in it.
@@ -135,8 +132,8 @@ class WindowWatch(QObject):
 
     def _by_fid(self) -> dict[int, WindowRecord]:
         """Rows by feature id, as they are now."""
-        if self._layer is not None and (self._unread is None or self._unread):
-            self._read(self._layer)
+        if self.layer is not None and (self._unread is None or self._unread):
+            self._read(self.layer)
         return self._rows
 
     def _read(self, layer: QgsVectorLayer) -> None:
@@ -213,18 +210,18 @@ class WindowWatch(QObject):
     def selected(self) -> list[int]:
         """Feature ids of the selected windows."""
         rows = self._by_fid()
-        return sorted(fid for fid in self._layer.selectedFeatureIds() if fid in rows) if self._layer else []
+        return sorted(fid for fid in self.layer.selectedFeatureIds() if fid in rows) if self.layer else []
 
     def select(self, fids: Iterable[int]) -> None:
         """Select these windows and no others, on the map and in the table alike."""
         chosen = set(fids)
-        if self._layer is not None and chosen != set(self._layer.selectedFeatureIds()):
-            self._layer.selectByIds(list(chosen))
+        if self.layer is not None and chosen != set(self.layer.selectedFeatureIds()):
+            self.layer.selectByIds(list(chosen))
 
     # What the layer tells
 
     def _signals(self) -> list[tuple[Any, Any]]:
-        layer = self._layer
+        layer = self.layer
         if layer is None:
             return []
         return [
@@ -234,8 +231,9 @@ class WindowWatch(QObject):
             (layer.geometryChanged, self._feature_changed),
             (layer.updatedFields, self._all_changed),
             (layer.subsetStringChanged, self._all_changed),
-            (layer.afterCommitChanges, self._all_changed),
-            (layer.afterRollBack, self._was_rolled_back),
+            (layer.editingStarted, self.saved),
+            (layer.afterCommitChanges, self._all_changed), (layer.afterCommitChanges, self.saved),
+            (layer.afterRollBack, self._all_changed), (layer.afterRollBack, self.rolledBack),
             (layer.dataChanged, self._all_changed),
             (layer.dataSourceChanged, self._source_changed),
             (layer.selectionChanged, self._selection_changed),
@@ -254,17 +252,13 @@ class WindowWatch(QObject):
             del self._fids[row.window_id]
         self._notifier.start()
 
-    def _was_rolled_back(self) -> None:
-        self._all_changed()
-        self.rolledBack.emit()
-
     def _all_changed(self, *_: object) -> None:
         self._unread = None
         self._notifier.start()
 
     def _tell_missing(self) -> None:
-        if self._layer is not None and self.path is not None:
-            there = self._layer.fields().names()
+        if self.layer is not None and self.path is not None:
+            there = self.layer.fields().names()
             missing = [name for name in window_file.window_fields(0).names() if name not in there]
             if missing and missing != self._missing:
                 self.fieldMissed.emit(seams_messages.WINDOWS_WITHOUT_FIELD(field=missing[0]))
@@ -272,7 +266,7 @@ class WindowWatch(QObject):
 
     def _source_changed(self) -> None:
         if self._is_unmoved:
-            self.path = Path(layer_path(self._layer))
+            self.path = Path(layer_path(self.layer))
         else:
             self.replaced.emit()
 

@@ -8,7 +8,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from qgis.gui import QgsFilterLineEdit
-from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAbstractItemView, QComboBox, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery.statistics import FIRST, UNSURE, Operator
@@ -127,7 +127,7 @@ class WindowsPanel(QWidget):
         self._search.textChanged.connect(self._filter)
         self._verdicts.currentIndexChanged.connect(self._filter)
         self.table.selectionModel().selectionChanged.connect(self._lead)
-        self.table.doubleClicked.connect(self._zoom_to)
+        self.table.doubleClicked.connect(self._zoom)
         self.table.zoomRequested.connect(self._zoom)
         self.table.removeRequested.connect(self._remove)
         self._windows.modelReset.connect(self._take_order)
@@ -232,13 +232,10 @@ class WindowsPanel(QWidget):
 
     # What the operator asks for
 
-    def _zoom_to(self, index: QModelIndex) -> None:
-        self.zoomRequested.emit(self._windows.fids()[index.row()])
-
     def _zoom(self, *_: object) -> None:
         current = self.table.currentIndex()
         if current.isValid():
-            self._zoom_to(current)
+            self.zoomRequested.emit(self._windows.fids()[current.row()])
 
     def _remove(self, *_: object) -> None:
         fids = self.table.selected_fids()

@@ -42,17 +42,13 @@ class WindowsModel(QAbstractTableModel):
         self.is_blind = False  # whether tooltips keep to themselves what was found
         self.sorted_by, self.sort_order = WINDOW_ID, _ASCENDING
         self._tests: Sequence[Callable[[WindowRecord], bool]] = ()
-        self._all: Sequence[WindowRecord] = ()  # in their own order
+        self.all_windows: Sequence[WindowRecord] = ()  # in their own order, those included that are left out
         self._rows: list[WindowRecord] = []
         self._fids: list[int] = []
         self._places: dict[int, int] = {}
         self._chips: dict[str, QIcon] = {}
         self._italic = QFont()
         self._italic.setItalic(True)
-
-    def all_windows(self) -> Sequence[WindowRecord]:
-        """All windows, those included that are left out."""
-        return self._all
 
     def windows(self) -> list[WindowRecord]:
         """From top to bottom; not to be changed."""
@@ -68,14 +64,14 @@ class WindowsModel(QAbstractTableModel):
 
     def set_windows(self, windows: Sequence[WindowRecord]) -> None:
         """Take these; only those that changed are asked whether they pass."""
-        known, self._all = {row.fid: row for row in self._all}, windows
+        known, self.all_windows = {row.fid: row for row in self.all_windows}, windows
         places = self._places
         self._show([row for row in windows if (row.fid in places if known.get(row.fid) is row else self._passes(row))])
 
     def set_filter(self, tests: Iterable[Callable[[WindowRecord], bool]]) -> None:
         """Show the windows that pass all of these."""
         self._tests = tuple(tests)
-        self._show(list(filter(self._passes, self._all)))
+        self._show(list(filter(self._passes, self.all_windows)))
 
     def sort(self, column: int, order: Qt.SortOrder = _ASCENDING) -> None:
         """Sort by numbers and ranks; windows with nothing in the column come last in either order."""
@@ -168,7 +164,7 @@ class WindowsTable(QTableView):
     def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._windows = windows
-        self._allowed: frozenset[str] | None = None  # those that tell nothing; None: all may be seen
+        self.all_windowsowed: frozenset[str] | None = None  # those that tell nothing; None: all may be seen
         self._fit_soon = single_shot(self, self.fit, _FIT_MS)
         self.setModel(windows)
         self.setItemDelegate(ReadableItems(self))
@@ -230,7 +226,7 @@ class WindowsTable(QTableView):
 
     def set_blind(self, allowed: frozenset[str] | None) -> None:
         """Show no other columns than these; None: all that are of use."""
-        self._allowed = allowed
+        self.all_windowsowed = allowed
         self._windows.is_blind = allowed is not None
         self.fit()
 
@@ -241,8 +237,8 @@ class WindowsTable(QTableView):
         metrics = self.fontMetrics()
         self.setIconSize(QSize(metrics.ascent(), metrics.ascent()))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
-        names = used_columns(self._windows.all_windows())
-        widths = self._widths(names if self._allowed is None else names & self._allowed)
+        names = used_columns(self._windows.all_windows)
+        widths = self._widths(names if self.all_windowsowed is None else names & self.all_windowsowed)
         for place, column in enumerate(COLUMNS):
             self.setColumnHidden(place, column.name not in widths)
             if column.name in widths:

@@ -202,9 +202,9 @@ def fitting_window(
     """The window around a place, else the first of those aside that holds it, else of smaller ones."""
     while True:
         window = standard_window(grid, x, y, side)
-        by = side * 3 // 8
-        for down, across in ((0, 0), *((i, j) for i in (0, -by, by) for j in (0, -by, by) if i or j)):
-            moved = window.moved_by(across, down).moved_into(grid.columns, grid.rows)
+        for down, across in ((i, j) for i in (0, -1, 1) for j in (0, -1, 1)):
+            by = side * (2 if down and across else 3) // 8  # farther off the middle a seam would but clip a corner
+            moved = window.moved_by(by * across, by * down).moved_into(grid.columns, grid.rows)
             if is_valid(moved):
                 return moved
         side //= 2

@@ -35,7 +35,8 @@ class Delivery:
         """The layer of a scan, which the desk takes for its last one."""
         path = file(seams([0.9, 0.3, 0.9, 0.9]), folder / "seams.gpkg")
         result = QgsVectorLayer(path, "worst", "ogr")
-        result.setCustomProperty("seam_inspector/mosaic", self.mosaic.id())
+        result.setCustomProperty("seam_inspector/made_for", self.mosaic.id())
+        result.setCustomProperty("seam_inspector/scanned", "2026-01-01")
         self.project.addMapLayer(result)
 
     def save(self, folder: Path) -> None:

@@ -43,7 +43,8 @@ class Map:
         ))  # fmt: skip
         made.setName("seams")
         self.seams = QgsVectorLayer(f"{file(made, folder / 'seams.gpkg')}|layername=seams", "Seams", "ogr")
-        self.seams.setCustomProperty("seam_inspector/mosaic", desk.mosaic.id())
+        self.seams.setCustomProperty("seam_inspector/made_for", desk.mosaic.id())
+        self.seams.setCustomProperty("seam_inspector/scanned", "2026-01-01")
         desk.project.addMapLayer(self.seams)
         canvas.resize(400, 300)
         canvas.setDestinationCrs(desk.mosaic.crs())

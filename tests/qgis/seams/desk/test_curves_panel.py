@@ -214,7 +214,7 @@ def test_of_many_sources_as_many_stand_in_the_legend_as_there_is_room_for(
     panel.resize(420, 300)
     select_one(session, make_result(sources=40))
     names = labels(panel)
-    assert names[:2] == ["mosaic.tif", "ortho_2024_flight_0412_0031.tif"]
+    assert names[:2] == ["mosaic.tif", "0031"]  # what all share says nothing where it has no room
     assert names[-1] == f"and {43 - len(names)} more"  # of 42 names and this one
 
 

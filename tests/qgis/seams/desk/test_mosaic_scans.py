@@ -2,16 +2,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsApplication, QgsProject
-from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsRasterLayer
+from qgis.gui import QgsMessageBar
+from qgis.PyQt.QtWidgets import QPushButton
+from seam_inspector.plugin.seams.desk.accept_page import delivered_scans
+from seam_inspector.plugin.seams.desk.mosaic_scans import scan_message
+from seam_inspector.plugin.toolkit.translation import sentence
 
-from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene
+from tests.qgis.scenes import layer, line
+from tests.qgis.seams.desk.scan_scene import COLUMNS, SEAM_ROW, ScanDesk, ScanScene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
 
+STATES = ["failed", "passed", "not_measured"]
+SIDES = {"left_source": ("string", ["8"]), "right_source": ("string", ["1"])}
 FOUND = ["Worst places", "Seams", "Source cells", "Picture of losses"]
 
 
@@ -36,16 +42,29 @@ def test_what_a_scan_found_lies_in_a_group_on_top(desk: ScanDesk) -> None:
     assert [node.name() for node in group.children()] == FOUND
     assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]  # no journal
     seams, cells = (desk.project.mapLayersByName(name)[0] for name in ("Seams", "Source cells"))
-    assert sum(row["length"] for row in seams.getFeatures()) == pytest.approx(done.seam_metres)
     assert {row["verdict"] for row in seams.getFeatures()} <= {"significant", "reduced"}
     assert {row["source"] for row in cells.getFeatures()} == {"north.tif", "south.tif"}
-    assert done.seam_metres == pytest.approx(256, rel=0.02)
+    rows = list(seams.getFeatures())
+    total, failed = (sum(row["length"] for row in rows if row["state"] in states) for states in (STATES, ["failed"]))
+    assert total == pytest.approx(256, rel=0.02)
     shown = {node.name() for node in group.children() if node.itemVisibilityChecked()}
     assert shown == set(FOUND) - {"Worst places"}
-    assert done.failed_metres > 0.8 * done.seam_metres
-    assert scan_sentence(done) == f"{done.failed_metres:.0f} of {done.seam_metres:.0f} m failed: below 70 % kept."
-    assert scan_sentence(replace(done, failed_metres=0.0)) == f"None of {done.seam_metres:.0f} m of seams failed."
+    assert failed > 0.8 * total
+    assert sentence(done.finding).startswith(f"{failed:.0f} of {total:.0f} m failed: below 70 % kept.")
     assert desk.messages == []
+
+
+def test_a_scan_that_could_not_measure_says_so_with_names_that_no_orthoimage_has(desk: ScanDesk) -> None:
+    named = layer("LineString", [line((0, SEAM_ROW), (COLUMNS, SEAM_ROW))], **SIDES)
+    desk.project.addMapLayer(named)
+    desk.use("north", "south", seamlines=named.id())
+    bar = QgsMessageBar()
+    item = scan_message(bar, desk.scan(), desk.scans.warnings, lambda: None)
+    assert (item.text(), item.level()) == ("None of 256 m of seams could be measured.", Qgis.MessageLevel.Warning)
+    (more,) = [button for button in item.findChildren(QPushButton) if button.text() == "More"]
+    unknown = "Orthoimages that the seamline layer names and that are not given: 2 (such as 1, 8)."
+    assert unknown in more.toolTip()
+    assert unknown in desk.messages
 
 
 def test_a_scan_of_an_unsaved_project_moves_beside_it(
@@ -106,6 +125,19 @@ def test_a_mosaic_that_is_removed_ends_its_scan_in_a_sentence(desk: ScanDesk) ->
     wait_until(lambda: not desk.scans.is_at_work, "for the end")
     settle(0.1)
     assert desk.messages == ["The scan was stopped: its mosaic is not in the project any more."]
+
+
+def test_a_mosaic_that_is_removed_and_comes_back_has_its_scan(desk: ScanDesk, scan_scene: ScanScene) -> None:
+    desk.use("north", "south")
+    desk.scan()
+    desk.project.removeMapLayer(desk.rasters["ortho"].id())
+    settle(0.1)
+    assert desk.session.mosaic_grid() is None
+    (back,) = desk.project.addMapLayers([QgsRasterLayer(str(scan_scene.mosaic), "ortho")])
+    wait_until(lambda: desk.session.mosaic_grid() is not None, "for the mosaic")
+    shown = {node.name() for node in desk.project.layerTreeRoot().findLayers() if node.isVisible()}
+    assert shown == {*FOUND, *desk.rasters, "made"} - {"Worst places"}
+    assert [scan.mosaic for scan in delivered_scans(desk.project, "")] == [back.id()]
 
 
 def test_closing_the_desk_leaves_no_task_and_no_layer_of_its_own(desk: ScanDesk) -> None:

@@ -37,7 +37,6 @@ def writer(desk: Desk) -> Writer:
 
 
 def test_the_report_tells_windows_curves_and_cause(desk: Desk, writer: Writer, tmp_path: Path) -> None:
-    assert not writer.writer.can_start
     for window in (BLURRED_WINDOW, SHARP_WINDOW):
         desk.add(window)
     desk.session.judge([desk.rows()[1].fid], "visible")

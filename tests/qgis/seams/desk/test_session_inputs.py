@@ -23,7 +23,7 @@ from seam_inspector.plugin.toolkit.translation import sentence
 from tests.numbers.synthetic import write_raster
 from tests.patience import PATIENCE_S
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import ORIGIN, PIXEL, SHARP, Scene, at, layer, line, whole, windows
+from tests.qgis.scenes import ORIGIN, PIXEL, SHARP, Scene, at, layer, line, outline, whole, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 # Inputs
@@ -160,9 +160,8 @@ def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
         "east": write_raster(tmp_path / "east.tif", whole(scene.east)[..., 192:], origin=east),
     }
     rasters = {name: QgsRasterLayer(path, name) for name, path in paths.items()}
-    contours, seams = (layer("LineString", [line((256, 0), (256, 256))]) for _ in range(2))
-    contours.setName("contours")
-    seams.setName("seamlines")
+    contours = layer("LineString", [line((256, 0), (256, 256))])
+    seams = layer("Polygon", [outline((0, 0, 256, 256))], src=("integer", [1]))
     project.addMapLayers([*rasters.values(), contours, seams])
     project.setDirty(False)
     wait_until(lambda: session.inputs.mosaic, "for the suggestion")

@@ -33,7 +33,8 @@ def test_without_seamlines_the_key_is_somebody_else_s(project: QgsProject) -> No
 def test_what_a_scan_found_goes_with_them(project: QgsProject) -> None:
     """Its squares and lines tell the eye what to find."""
     worst, windows = (layer("Polygon", []) for _ in range(2))
-    worst.setCustomProperty("seam_inspector/mosaic", "the mosaic")
+    worst.setCustomProperty("seam_inspector/made_for", "the mosaic")
+    worst.setCustomProperty("seam_inspector/scanned", "2026-01-01")
     group = project.layerTreeRoot().addGroup("scan")
     project.addMapLayer(worst, False)
     group.addLayer(worst).setItemVisibilityChecked(False)

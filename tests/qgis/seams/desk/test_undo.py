@@ -36,11 +36,24 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert desk.session.selected() == [row.fid]
 
 
-def test_what_is_noted_beside_a_judgement_is_called_so(desk: Desk) -> None:
+def test_edits_that_are_discarded_take_with_them_what_was_done_meanwhile_alone(desk: Desk) -> None:
     fid = desk.add()
+    desk.session.judge([fid], "visible")
+    assert desk.layer().startEditing()
+    desk.undo()
+    desk.session.judge([fid], "unsure")
     desk.session.note([fid], {"confidence": 80})
+    assert desk.layer().rollBack()
+    assert (desk.steps(), desk.rows()[1].observer) == (["drawing window 1"], "visible")
+    desk.session.judge([fid], "invisible")
+    assert desk.layer().startEditing()
     desk.session.note([fid], {"remark": "kerb gone"})
-    assert desk.steps()[1:] == ["judging window 1"] * 2
+    desk.undo()
+    desk.undo()
+    assert desk.layer().rollBack()
+    assert desk.steps() == ["drawing window 1", "judging window 1", "judging window 1"]
+    desk.undo()
+    assert desk.rows()[1].observer == "visible"
 
 
 def test_an_inspection_is_undone_with_what_it_measured(desk: Desk) -> None:

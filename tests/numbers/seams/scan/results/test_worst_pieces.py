@@ -129,6 +129,8 @@ def test_beside_missing_pixels_a_window_is_moved_or_made_smaller(mosaic: Raster)
     assert moved.column >= 900
     assert moved.width == 512
     assert moved.column <= 1000 < moved.column + moved.width
+    (aside,) = windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda at: at.column >= 850 and at.row >= 850)
+    assert (aside.column, aside.row, aside.width) == (872, 872, 512)  # the piece crosses more than a corner of it
     (smaller,) = windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: window.width <= 200)
     assert smaller.width == 128
     assert windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: False) == []

@@ -65,15 +65,15 @@ def test_a_judgement_that_was_not_written_is_not_shown(
 
 
 def test_how_much_is_judged_is_always_said(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
-    assert bar._progress.text() == "2 to go: 2 of 4 judged; 2 not comparable or not inspected"
+    assert bar._progress.text() == "2 to go: 2 of 4 judged"
     session.select([1])
     judging.judge("unsure")
-    assert bar._progress.text() == "1 to go: 2 of 4 judged, 1 not sure; 2 not comparable or not inspected"
-    assert "1 not sure; 2 not comparable or not inspected" in bar._progress.toolTip()
+    assert bar._progress.text() == "1 to go: 2 of 4 judged, 1 not sure"
+    assert "1 not sure" in bar._progress.toolTip()
     judging.judge("visible")
-    assert bar._progress.text() == "0 to go: 3 of 4 judged, 1 not sure; 2 not comparable or not inspected"
+    assert bar._progress.text() == "0 to go: 3 of 4 judged, 1 not sure"
     judging.change(operator=2)
-    assert bar._progress.text() == "4 to go: 0 of 4 judged; 2 not comparable or not inspected"
+    assert bar._progress.text() == "4 to go: 0 of 4 judged"
 
 
 def test_confidence_and_remark_are_written_where_the_operator_is(
@@ -102,7 +102,7 @@ def test_a_digit_after_a_verdict_is_the_judged_window_s(bar: JudgeBar, session: 
     assert session.selected() == [12]
     session.select([2])
     session.select([12])
-    assert bar._progress.text() == "1 to go: 3 of 4 judged; 2 not comparable or not inspected"
+    assert bar._progress.text() == "1 to go: 3 of 4 judged"
     keys["sure 50"]()
     assert _sure(session) == {1: 70, 12: 50}
 

@@ -57,9 +57,9 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert session.selected() == []
     assert not judging.judge("unsure")
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
-    assert bar.sentence() == "All windows are judged."
+    assert bar.sentence() == "No window is left to judge."
     session.put([*session.rows, window(6, "not_comparable"), window(7, "not_comparable"), window(8)])
-    assert bar.sentence() == "All compared windows are judged; 3 not comparable or not inspected."
+    assert "3 not comparable or not inspected" in bar._progress.toolTip()
     judging.take_back()
     assert session.selected() == [3]
 
@@ -95,7 +95,7 @@ def test_the_worst_places_are_gone_through_in_their_order_and_none_is_left_out(
         judging.judge("unsure" if gone == [4] else "visible")
         assert panel.table.selected_fids() == session.selected()
     assert gone == [4, 7, 2, 6]
-    assert bar.sentence() == "All windows at the worst places are judged."
+    assert bar.sentence() == "No window at the worst places is left to judge."
     judging.take_back()
     assert session.selected() == [6]
     judging.step(-1)

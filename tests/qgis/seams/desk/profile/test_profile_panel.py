@@ -128,7 +128,7 @@ def test_words_where_there_is_no_profile(
     session.select(selected)
     settle()
     assert panel._pages.currentWidget() is panel._text
-    assert panel.words == words
+    assert panel._text.text() == words
     assert not panel._save.isEnabled()
 
 
