@@ -121,7 +121,7 @@ class ScanMosaic(BlockAlgorithm):
                 run.tell(scan.notice)
             result = self._scanned(run, scan, loss)
             run.tell(*result.notices)
-            run.inform(sentence(scan_layers.scan_finding(result.pieces)))
+            run.feedback.pushInfo(sentence(scan_layers.scan_finding(result.pieces)))
             results = {LOSS: loss or None, **self._write(run, result, request)}
             scan.finish()
         run.style(loss, "loss")
