@@ -4,7 +4,7 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="39"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="38"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
@@ -14,7 +14,7 @@
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="52"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="51"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. The rectangle around each is measured, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
@@ -29,12 +29,12 @@
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
@@ -49,12 +49,12 @@
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="90"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="91"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
@@ -64,17 +64,17 @@
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="94"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="101"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="102"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
@@ -374,7 +374,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="333"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="329"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -534,12 +534,12 @@
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="353"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="350"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/widgets.py" line="352"/>
+        <location filename="../plugin/toolkit/desk/widgets.py" line="338"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
@@ -579,22 +579,22 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="67"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="71"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="78"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -634,12 +634,12 @@
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="70"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -784,7 +784,7 @@
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="354"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="351"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -934,22 +934,22 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="75"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="83"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
@@ -1074,32 +1074,32 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="215"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="181"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="82"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="89"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="81"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="72"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="227"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="193"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="228"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="194"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1109,22 +1109,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="230"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="196"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="232"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="198"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="233"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="199"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="234"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="200"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1219,17 +1219,17 @@
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="58"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="63"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="64"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are given they determine the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
@@ -1779,212 +1779,212 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="149"/>
+        <location filename="../plugin/sensors/point_tables.py" line="64"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="52"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="44"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="98"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="90"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="100"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="92"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="61"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="53"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="303"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="267"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="87"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="79"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="66"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="58"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="83"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="92"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="84"/>
         <source>Where no point has a role, this share of them, evenly spread, checks the fit and is not used in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="87"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="96"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="88"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="307"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="271"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="95"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="73"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="57"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that the fit does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="66"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="366"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="330"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="67"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="68"/>
         <source>For polynomials and quotients. Higher orders need many points and oscillate between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="71"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="73"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="74"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="116"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="116"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="169"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="152"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="169"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="152"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="176"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="159"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -2034,32 +2034,32 @@
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="131"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="123"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="142"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="134"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="143"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="147"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="83"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="74"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
@@ -2069,72 +2069,72 @@
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="141"/>
         <source>System of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="89"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="80"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="142"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="151"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="143"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="83"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="93"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="84"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="85"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="95"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="152"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="145"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="156"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="148"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="157"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="149"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="158"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="150"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
@@ -3535,32 +3535,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="58"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="42"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="47"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -4158,27 +4158,27 @@
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="59"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
         <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozycji ortoobrazów źródłowych z ostrym cięciem i terenu wokół. composite: całe okno względem tej kompozycji. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="69"/>
         <source>Least share kept along the seam</source>
         <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="78"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="96"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -4223,12 +4223,12 @@
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="86"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
@@ -4238,7 +4238,7 @@
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -4273,7 +4273,7 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="85"/>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="78"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
@@ -4418,82 +4418,82 @@
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="41"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="40"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="51"/>
         <source>Lines, or polygons that are each filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
         <source>For seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="58"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="59"/>
         <source>Width that is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="64"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="61"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="62"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="66"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="67"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="69"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="72"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="80"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
@@ -4503,7 +4503,7 @@
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -4583,7 +4583,7 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="127"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
@@ -4593,62 +4593,62 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="199"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="75"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="75"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="77"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="157"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="155"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -4698,17 +4698,17 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="211"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="152"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="196"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="192"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="236"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="221"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -4891,7 +4891,7 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="123"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
@@ -5021,7 +5021,7 @@
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="102"/>
+        <location filename="../plugin/toolkit/layers.py" line="103"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -5151,87 +5151,87 @@
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="273"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
         <source>Plan control points</source>
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="275"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="239"/>
         <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points show how accurate the image is.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="284"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="248"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="286"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="250"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="288"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="252"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="289"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="253"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="256"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="292"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="256"/>
         <source>Share of the image, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="293"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="257"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="295"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="259"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="296"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="260"/>
         <source>For a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="300"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="264"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="301"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="265"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="304"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="268"/>
         <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="308"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="272"/>
         <source>For the nominal scanner and the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="273"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="309"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="273"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
@@ -5241,17 +5241,17 @@
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="310"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="274"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="275"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="311"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="275"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
@@ -5261,132 +5261,132 @@
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="315"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="279"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="316"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="280"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="317"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="281"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="109"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="101"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="110"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="102"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="111"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="69"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="61"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="79"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="71"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="72"/>
         <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="73"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="65"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="74"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="66"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="88"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="102"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="56"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="47"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="60"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="62"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
@@ -7154,7 +7154,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="199"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7202,7 +7202,7 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
@@ -7503,12 +7503,12 @@
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="87"/>
         <source>The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the loss at 2x (&apos;visibility&apos;, 1 is just seen), and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="83"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
@@ -8021,7 +8021,7 @@
         <translation>Ocenione arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="94"/>
         <source>Length of the pieces that keep less than 70 % (metres)</source>
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
@@ -8281,82 +8281,82 @@
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="39"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="38"/>
         <source>Mend seams</source>
         <translation>Napraw linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="41"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="40"/>
         <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are blended more widely. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="53"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="50"/>
         <source>All seams as Scan a whole mosaic writes them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="54"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="58"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="61"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
         <source>A virtual raster: the mosaic with the patches on top. It refers to both, so leave both there.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="71"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="56"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="53"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="57"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="60"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="64"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="67"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="77"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
@@ -8371,12 +8371,12 @@
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="42"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped for any reason continues when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
         <source>Windows that kept least, the worst first, ready for the desk and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -8569,12 +8569,12 @@
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
         <source>For a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="62"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
@@ -8684,7 +8684,7 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
         <source>Each seam before and after, in figures and in pictures at 2x.</source>
         <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
     </message>
@@ -8699,7 +8699,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="262"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="259"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -8789,7 +8789,7 @@
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
         <source>quotients of order 2 at most, without the terms that the points do not support</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
@@ -8844,57 +8844,57 @@
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="48"/>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="221"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="216"/>
         <source>Orthorectify a block of photos</source>
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="236"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="231"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="234"/>
         <source>System of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="242"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="237"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="241"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="236"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="244"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="244"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="282"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="246"/>
         <source>The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="294"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="258"/>
         <source>For each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="299"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="263"/>
         <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
@@ -8997,22 +8997,22 @@
         <translation>co najwyżej umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="217"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="183"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="223"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="218"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are processed.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="231"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="226"/>
         <source>For a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="229"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="224"/>
         <source>Folder of an OpenDroneMap project, or of photos</source>
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
@@ -9356,12 +9356,12 @@
         <translation>warstwy linii tego nie podają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="41"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="40"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and the share of the sources&apos; finest detail that the mosaic has beside a seam is compared with the share farther off: whatever was done to the whole mosaic cancels out. A loss is significant where by the best estimate 70 % or less is kept along the seam and some loss is certain, reduced where the 95 % interval lies below 100 %. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is applied too: half of the detail or less against every source is a significant loss.</source>
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy według najlepszego oszacowania wzdłuż linii mozaikowania zachowano 70 % lub mniej, a to, że coś stracono, jest pewne; kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
         <source>A window is significant when by the best estimate this share of the finest detail, or less, is kept along its seam, and some loss is certain. 0.5 is what a 50:50 blend leaves of two images that have nothing in common.</source>
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
@@ -9376,7 +9376,7 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="302"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="297"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -9528,7 +9528,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -9855,7 +9855,7 @@
         <translation>Badania i ich arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="63"/>
         <source>Judge here</source>
         <translation>Oceń tutaj</translation>
     </message>
@@ -10232,12 +10232,12 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="281"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="282"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="51"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="47"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
@@ -10396,7 +10396,7 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="168"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="166"/>
         <source>{count} windows selected.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
@@ -10526,7 +10526,7 @@
         <translation>{near} do {far} m: zachowano {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="62"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
         <source>Goes to the window on this piece of seam, or makes one, and inspects it.</source>
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
@@ -10541,7 +10541,7 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="262"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10620,7 +10620,7 @@
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="85"/>
         <source>{count} have no curves in it: inspect them again.</source>
         <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
     </message>
@@ -10710,22 +10710,22 @@
         <translation>NMT {name} ma oczka {mesh:.1f} m; najlepsze są od 10 do 30 m: w większych ginie rzeźba terenu, a mniejsze mogą na obrazie satelitarnym wyginać linie proste, na przykład drogi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="59"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="50"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture or orthority.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture lub orthority.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="55"/>
         <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. Empty: in the file of the exterior orientation.</source>
         <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho lub ContextCapture. Puste: w pliku orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="144"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="136"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="53"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="45"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
@@ -10849,7 +10849,7 @@
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="174"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="172"/>
         <source>By the scan, this piece of seam: {finding}</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
@@ -10879,7 +10879,7 @@
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="65"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa.</translation>
     </message>
@@ -11074,12 +11074,12 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma procesów roboczych, które odpowiadają; uruchom je albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="174"/>
         <source>No window at the worst places is left to judge.</source>
         <translation>W najgorszych miejscach nie ma już okien do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
         <source>No window is left to judge.</source>
         <translation>Nie ma już okien do oceny.</translation>
     </message>
@@ -11094,7 +11094,7 @@
         <translation>niepewne: {unsure}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="302"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="297"/>
         <source>Detail kept: reading ...</source>
         <translation>Zachowany detal: wczytywanie ...</translation>
     </message>
@@ -11104,22 +11104,22 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; puste tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="86"/>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="79"/>
         <source>None of {metres:.0f} m of seams failed.</source>
         <translation>Niezgodne: 0 z {metres:.0f} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="87"/>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="80"/>
         <source>{failed:.0f} of {metres:.0f} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed:.0f} z {metres:.0f} m: zachowano poniżej {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="88"/>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="81"/>
         <source>None of {metres:.0f} m of seams could be measured.</source>
         <translation>Nie dało się zmierzyć żadnego z {metres:.0f} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="89"/>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="82"/>
         <source>{finding} {lacking:.0f} m could not be measured.</source>
         <translation>{finding} Nie dało się zmierzyć {lacking:.0f} m.</translation>
     </message>
