@@ -11086,7 +11086,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging.py" line="63"/>
         <source>Worst places: {left} of {count} to go</source>
-        <translation>Najgorsze miejsca: zostało {left} z {count}</translation>
+        <translation>Najgorsze: zostało {left} z {count}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging.py" line="64"/>

@@ -301,7 +301,8 @@ class LegendedCurves(CurvesPainter):
             painter.drawEllipse(QPointF((left + end) / 2, middle), entry.radius * line, entry.radius * line)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QColor(self.style.text))
-            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideLeft, width - _BESIDE_NAME * line)
+            way = Qt.TextElideMode.ElideRight if entry.name.isalpha() else Qt.TextElideMode.ElideLeft  # of files
+            words = self.metrics.elidedText(entry.name, way, width - _BESIDE_NAME * line)
             painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
 
 

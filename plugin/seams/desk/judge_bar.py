@@ -123,7 +123,7 @@ class JudgeBar(QWidget):
         words = progress.words()
         if (sure := judging.just_sure) is not None:  # a digit that did not go to the selected window
             words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(words, progress.rest()))
+        self._progress.setText(words, rich_tip(words, *filter(None, [progress.rest()])))
         remark = self._remark(selected)
         self.remark.setChecked(bool(remark))
         tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")

@@ -140,9 +140,8 @@ class WindowSteps(QObject):
         return step.apply(self._watch, layer, is_undone, words) if layer is not None else []
 
     def _replay(self, step: Step, is_undone: bool, words: str) -> bool:
-        """Whether the step is to be forgotten."""
         if self._is_silent:
-            return is_undone
+            return is_undone  # whether the step is to be forgotten
         try:
             self.stepped.emit(self._apply(step, is_undone, words))
         except SeamInspectorError as error:
