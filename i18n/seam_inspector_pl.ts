@@ -11067,8 +11067,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
-        <source>What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along {metres:.0f} m, such as at {place}, pixels are missing, or those that were given are not these; ask the producer for them.</source>
-        <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, z których powstała ortofotomapa, całymi i niezmienionymi. Wzdłuż {metres:.0f} m, na przykład w miejscu {place}, brakuje pikseli albo podane ortoobrazy nie są tymi; poproś o nie wykonawcę.</translation>
+        <source>What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along {metres:.0f} m, such as at {place}, pixels are missing, or those that were given do not explain the mosaic; ask the producer for them.</source>
+        <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, z których powstała ortofotomapa, całymi i niezmienionymi. Wzdłuż {metres:.0f} m, na przykład w miejscu {place}, brakuje pikseli albo podane ortoobrazy nie wyjaśniają ortofotomapy; poproś o nie wykonawcę.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
@@ -11082,13 +11082,13 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
-        <source>an orthoimage has no pixels there, or was not given</source>
-        <translation>ortoobraz nie ma tam pikseli albo nie został podany</translation>
+        <source>an orthoimage ends there, or was not given</source>
+        <translation>ortoobraz się tam kończy albo nie został podany</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
-        <source>the orthoimages were changed there, or the mosaic was made from others</source>
-        <translation>ortoobrazy tam zmieniono albo ortofotomapa powstała z innych</translation>
+        <source>the orthoimages do not explain the mosaic: changed, others, or too little texture</source>
+        <translation>ortoobrazy nie wyjaśniają tam ortofotomapy: zmienione, inne albo za mało tekstury</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
@@ -11107,8 +11107,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
-        <source>missing, changed or without pixels along {metres} of seam, such as at {place}; to be given by the producer</source>
-        <translation>brakuje ich, są zmienione albo bez pikseli wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
+        <source>missing, without pixels or not explaining the mosaic along {metres} of seam, such as at {place}; to be given by the producer</source>
+        <translation>brakuje ich, nie mają pikseli albo nie wyjaśniają ortofotomapy wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
@@ -11122,8 +11122,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
-        <source>Length of seam along which orthoimages are missing, changed or without pixels.</source>
-        <translation>Długość linii mozaikowania, wzdłuż których brakuje ortoobrazów albo są zmienione lub bez pikseli.</translation>
+        <source>Length of seam along which orthoimages are missing, without pixels or do not explain the mosaic.</source>
+        <translation>Długość linii mozaikowania, wzdłuż których brakuje ortoobrazów, nie mają one pikseli albo nie wyjaśniają ortofotomapy.</translation>
     </message>
     <message>
         <source>the layer of failures with its folder of pictures</source>

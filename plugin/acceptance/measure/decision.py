@@ -33,7 +33,7 @@ class Unmeasured(Enum):
     """Why a piece on ground with detail was not measured."""
 
     ROUGH = "rough"  # its interval is too wide: it fails as likely as that says
-    UNCOVERED = "uncovered"  # an orthoimage has no pixels on its own side, neither shows both, or one was not given
+    UNCOVERED = "uncovered"  # an orthoimage ends beside it or before it, or was not given
     UNEXPLAINED = "unexplained"  # the orthoimages show the place, and not what the mosaic was made from
     SHORT = "short"  # there is too little of it
     OTHER = "other"  # no orthoimages are given, or their files can't be read any more
@@ -58,9 +58,9 @@ class DecidedPiece:
             return Unmeasured.ROUGH
         if self.cover is None:
             return Unmeasured.OTHER
-        if min(self.cover.side, self.cover.most) < COVERED:
-            return Unmeasured.UNCOVERED
-        return Unmeasured.SHORT if self.cover.is_short else Unmeasured.UNEXPLAINED
+        if self.cover.is_short and min(self.cover.side, self.cover.most) >= COVERED:
+            return Unmeasured.SHORT
+        return Unmeasured.UNCOVERED if self.cover.both < COVERED else Unmeasured.UNEXPLAINED
 
     @property
     def blank_m(self) -> float:

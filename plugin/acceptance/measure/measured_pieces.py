@@ -100,8 +100,8 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
             low, high = (kept * (end / kept) ** narrower for end in (low, high))
             has_verdict |= narrower < 1
         is_measured = piece_state(kept, low, high, least_kept, has_verdict) in MEASURED
-        if decided.cover is not None and decided.unmeasured in (Unmeasured.SHORT, Unmeasured.UNEXPLAINED):
-            is_measured = decided.cover.both < COVERED and decided.cover.both * longer_m >= shortest
+        if kept is None and decided.cover is not None and decided.cover.both < COVERED <= decided.cover.side:
+            is_measured = decided.cover.both * longer_m >= shortest
         measured += piece.length_m * is_measured
     return measured / total if total else 0.0
 

@@ -135,8 +135,8 @@ WOULD_MEASURE = Message(
     "would be measured.", WARNING)
 WOULD_GIVE_COVER = Message(
     "What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along "
-    "{metres:.0f} m, such as at {place}, pixels are missing, or those that were given are not these; ask the "
-    "producer for them.", WARNING)
+    "{metres:.0f} m, such as at {place}, pixels are missing, or those that were given do not explain the "
+    "mosaic; ask the producer for them.", WARNING)
 WOULD_LOOK_THERE = Message(
     "What would decide it: an operator's look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; "
     "whoever signs decides by that. A scan with longer pieces may not measure enough.", WARNING)

@@ -26,7 +26,7 @@ from .delivery import DeliveredPiece, SeamCover
 COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
 _STRIP_PX = 8.0  # on either side of a seam: what a scan judges by
 _ASIDE_PX = 2  # that a seam may lie aside of where it was found
-_LEAST_PX = 62.5  # of a piece: shorter ones hold too little to be measured
+_LEAST_PX, _SHORTER = 62.5, 0.75  # of what is measured of a piece; times a typical one, less than which is a rest
 
 
 def file_stem(name: str) -> str:
@@ -59,7 +59,8 @@ def seam_cover(
         if len(shares) > 1:
             (less_near, less, pixel_m), (most_near, most, _) = sorted(shares)[-2:]
             both = max(less + most - 1, 0.0)
-            is_short = piece.length_m < max(_LEAST_PX * pixel_m, typical_m / 2 if both < COVERED else 0.0)
+            shown_m = piece.length_m * (both if piece.length_m < _SHORTER * typical_m else 1.0)
+            is_short = shown_m < _LEAST_PX * pixel_m
             cover[piece.number] = SeamCover(min(2 * less_near, 1.0), most_near, both, is_short)
     return cover
 
@@ -67,8 +68,7 @@ def seam_cover(
 def _shown_shares(
     raster: Raster, opened: Callable[[RasterRef], OpenRaster], vertices: np.ndarray, wkt: str
 ) -> tuple[float, float, float]:
-    """The shares of the strip along a line for which an orthoimage has pixels nearby, and there; its pixels in metres.
-    """
+    """Shares of the strip along a line for which an orthoimage has pixels nearby, and there; metres of a pixel."""
     on_image = transform_points(vertices, wkt, raster.wkt)
     pixels = raster.grid.to_pixels(on_image)
     left, top = np.floor(pixels.min(axis=0) - _STRIP_PX).astype(int).tolist()

@@ -154,8 +154,8 @@ def _unmeasured(decision: Decision) -> str:
     """Why pieces were not measured, those of most metres first."""
     words = {
         Unmeasured.ROUGH: tr("what is kept is known too roughly"),
-        Unmeasured.UNCOVERED: tr("an orthoimage has no pixels there, or was not given"),
-        Unmeasured.UNEXPLAINED: tr("the orthoimages were changed there, or the mosaic was made from others"),
+        Unmeasured.UNCOVERED: tr("an orthoimage ends there, or was not given"),
+        Unmeasured.UNEXPLAINED: tr("the orthoimages do not explain the mosaic: changed, others, or too little texture"),
         Unmeasured.SHORT: tr("too short to be measured"),
         Unmeasured.OTHER: tr("not enough to measure it without orthoimages, or these can't be read any more"),
     }  # fmt: skip
@@ -174,8 +174,8 @@ def _cover_part(decision: Decision) -> tuple[str, str, str, bool]:
             metres=metres(mixed_m), place=ground.place("mixed_at", "mixed_metres"))
         return name, tr("With findings"), words, is_reason
     if hidden := [decided for decided in decision.pieces if decided.blank_m]:
-        words = filled(tr("missing, changed or without pixels along {metres} of seam, such as at {place}; to be given "
-                          "by the producer"), metres=metres(sum(decided.blank_m for decided in hidden)),
+        words = filled(tr("missing, without pixels or not explaining the mosaic along {metres} of seam, such as at "
+            "{place}; to be given by the producer"), metres=metres(sum(decided.blank_m for decided in hidden)),
             place=place_words(max(hidden, key=lambda decided: decided.blank_m).piece.middle))
         return name, tr("With findings"), words, is_reason
     if names := ", ".join(decision.delivery.not_given):

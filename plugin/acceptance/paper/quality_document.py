@@ -93,7 +93,7 @@ def quality_elements(decision: Decision) -> Iterator[QualityElement]:
     if lacking := sum(decided.blank_m for decided in decision.pieces):
         yield QualityElement(
             OMISSION, "uncovered", tr("orthoimages along the seams"),
-            tr("Length of seam along which orthoimages are missing, changed or without pixels."),
+            tr("Length of seam along which orthoimages are missing, without pixels or do not explain the mosaic."),
             Evaluation(FULL, tr("Each piece of seam on ground with detail.")), None, [(lacking, METRES, "")],
         )
     if decision.delivery.is_checked:

@@ -168,9 +168,9 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
 
 @pytest.mark.parametrize(("count", "failed", "low", "cover", "outcome"), [
     (3, 0, None, LACKING, UNDECIDED), (2, 0, None, LACKING, ACCEPTED), (3, 3, None, LACKING, REJECTED),
-    (3, 2, None, LACKING, UNDECIDED), (3, 0, None, SHORT, ACCEPTED), (3, 0, None, SHORT._replace(most=0.6), UNDECIDED),
-    (3, 0, None, SHORT._replace(is_short=False), UNDECIDED), (3, 0, 0.5, LACKING, ACCEPTED),
-    (50, 0, 0.5, LACKING, UNDECIDED),
+    (3, 2, None, LACKING, UNDECIDED), (3, 0, None, SHORT, ACCEPTED), (3, 0, 0.5, LACKING, ACCEPTED),
+    (3, 0, None, SHORT._replace(most=0.6, both=0.2), UNDECIDED), (50, 0, 0.5, LACKING, UNDECIDED),
+    (3, 0, None, SHORT._replace(is_short=False), UNDECIDED),
 ])  # fmt: skip
 def test_what_orthoimages_do_not_show_counts_as_the_worst_that_it_may_be(
     count: int, failed: int, low: float | None, cover: SeamCover, outcome: AcceptanceOutcome

@@ -129,7 +129,7 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
 
 def test_why_pieces_were_not_measured_is_told_by_kinds(tmp_path: Path) -> None:
     plain = decided()
-    covers = SeamCover(0.5, 1, 0), SeamCover(1, 0.6, 0), SeamCover(1, 1, 1), SeamCover(1, 1, 1, is_short=True)
+    covers = SeamCover(0.5, 1, 0), SeamCover(1, 1, 0.5), SeamCover(1, 1, 1), SeamCover(1, 1, 1, is_short=True)
     blank = [replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in plain.delivery.pieces[:5]]
     made = replace(
         plain.delivery, pieces=(*blank, *plain.delivery.pieces[5:]), files=FileDoubts(cover=dict(enumerate(covers)))
@@ -137,8 +137,8 @@ def test_why_pieces_were_not_measured_is_told_by_kinds(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decide(made, plain.rules)))
     row = next(row for row in page.rows if row[0] == "seams that were not measured")
     assert row[2].replace("\u00a0", " ").startswith(
-        "50.0 m: an orthoimage has no pixels there, or was not given; 25.0 m: the orthoimages were changed there, or "
-        "the mosaic was made from others; 25.0 m: too short to be measured; 25.0 m: not enough to measure it without orthoimages"
+        "50.0 m: an orthoimage ends there, or was not given; 25.0 m: the orthoimages do not explain the mosaic: "
+        "changed, others, or too little texture; 25.0 m: too short to be measured; 25.0 m: not enough to measure it"
     )
 
 

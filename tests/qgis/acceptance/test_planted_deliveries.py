@@ -170,7 +170,7 @@ def test_5_orthoimages_that_hide_a_failure(spoil: str, tmp_path: Path) -> None:
     assert outcome.results["MEASURED_METRES"] > 0.9 * outcome.results["TOTAL_METRES"]
     assert "orthoimages that the mosaic was made from, complete and unchanged" in said(outcome)
     page = outline((tmp_path / "paper" / "decision.html").read_text(encoding="utf-8")).words
-    assert "missing, changed or without pixels along" in page
+    assert "missing, without pixels or not explaining the mosaic along" in page
 
 
 def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
