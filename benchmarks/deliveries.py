@@ -31,6 +31,7 @@ from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivered_files import OrderedForm, OrderedSheet, checked_sheets
 from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
 from seam_inspector.plugin.acceptance.measure.delivery import Delivery, SheetOutline
+from seam_inspector.plugin.acceptance.measure.scanned_files import file_doubts
 from seam_inspector.plugin.seams.measure.scan.scan_result import seam_rows
 
 from .compressed import LOSSLESS, WAVELET, Codec
@@ -221,6 +222,7 @@ def rows_of(cases: Sequence[Case]) -> Iterator[list[str]]:
         rules = limit_rules(max_share=SHARE, max_run_m=RUN_PX * block.pixel_m)
         with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
             result, delivery = scanned(case, block, Path(folder))
+            delivery = replace(delivery, files=file_doubts(delivery, (), ()))
             row = row_of(case, block, result, decide(delivery, rules))
         print(" | ".join(row), flush=True)
         yield row

@@ -374,7 +374,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="329"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="330"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -604,7 +604,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3505,7 +3505,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="307"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4688,7 +4688,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="369"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -6055,22 +6055,22 @@
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="232"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="231"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="259"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="259"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -6748,7 +6748,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -7876,67 +7876,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="260"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="345"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="268"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8957,7 +8957,7 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="291"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="288"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -9331,27 +9331,27 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9568,37 +9568,32 @@
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="100"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
-        <source>no reason is given</source>
-        <translation>nie podano powodu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="337"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="337"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -9705,12 +9700,12 @@
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="295"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="294"/>
         <source>inspecting window {number}</source>
         <translation>zbadanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="295"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="294"/>
         <source>inspecting {count} windows</source>
         <translation>zbadanie okien: {count}</translation>
     </message>
@@ -10108,22 +10103,22 @@
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="205"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10470,12 +10465,12 @@
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="118"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="118"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
     </message>
@@ -10495,12 +10490,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10575,11 +10570,6 @@
         <translation>nie udało się odczytać {share:.2%} ortofotomapy „{name}”, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
-        <source>What would decide it: an operator&apos;s look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not measure enough; the field &apos;reason&apos; of the seams says why.</source>
-        <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie decyduje podpisujący. Skanowanie tych ortoobrazów z odcinkami dość krótkimi, by wykazać usterkę, nie zmierzyłoby wystarczająco dużo; przyczyny podaje pole „reason” linii mozaikowania.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
         <source>What would decide it: a scan with the orthoimages that are missing.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami.</translation>
@@ -10600,12 +10590,12 @@
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="260"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="220"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
@@ -10738,10 +10728,6 @@
         <translation>Decyzja dotyczy tylko linii mozaikowania. Nie sprawdzono: ostrości ortofotomapy jako całości, uszkodzeń w jednym tylko kolorze, dokładności położenia, samych ortoobrazów, chmur i cieni, terenu zasłoniętego przez budynki, metadanych.</translation>
     </message>
     <message>
-        <source>Between two failed pieces of a failure may lie one that was not measured, no longer than a typical piece. Kept and the orthoimages refer to the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
-        <translation>Między dwoma niezgodnymi odcinkami usterki może leżeć jeden niezmierzony, nie dłuższy od typowego. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
         <source>{size} of {lot} pieces are drawn.</source>
         <translation>Wylosowano odcinki: {size} z {lot}.</translation>
@@ -10767,11 +10753,6 @@
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami po {piece:.0f} m (PIECE), przy których udałoby się zmierzyć około {share:.0%} metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
-        <source>What would decide it: a scan with orthoimages that have pixels on both sides of the seams. Those that were given lack them along {metres:.0f} m, such as at {x:.1f}, {y:.1f}; ask the producer for them.</source>
-        <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, które mają piksele po obu stronach linii mozaikowania. Tym, które podano, brakuje ich wzdłuż {metres:.0f} m, na przykład w miejscu {x:.1f}, {y:.1f}; poproś o nie wykonawcę.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>The layers of seams were measured with different settings: {setting} is {values}.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}.</translation>
@@ -10787,39 +10768,19 @@
         <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, bez linii od wykonawcy, a szerokie wtapianie część z nich ukrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
         <source>what is kept is known too roughly</source>
         <translation>zachowanie znane zbyt zgrubnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
-        <source>the orthoimages have no pixels beside the seam</source>
-        <translation>ortoobrazy nie mają pikseli obok linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
         <source>orthoimages along the seams</source>
         <translation>ortoobrazy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>; sheets rejected by themselves: {count}</source>
         <translation>; arkusze odrzucone same w sobie: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
-        <source>no pixels beside {metres} of seam, such as at {place}; to be given by the producer</source>
-        <translation>brak pikseli obok {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
-        <source>their files can&apos;t be read</source>
-        <translation>nie można odczytać ich plików</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
-        <source>Length of seam beside which the orthoimages that were given have no pixels.</source>
-        <translation>Długość linii mozaikowania, obok których podane ortoobrazy nie mają pikseli.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="132"/>
@@ -10829,10 +10790,6 @@
     <message>
         <source>A failure is counted along one seam, and further where exactly two failed pieces meet.</source>
         <translation>Usterkę liczy się wzdłuż jednej linii mozaikowania i dalej tam, gdzie spotykają się dokładnie dwa niezgodne odcinki.</translation>
-    </message>
-    <message>
-        <source>the cut or an orthoimage is not shown, since an orthoimage ends here or was not given, or the mosaic does not follow them</source>
-        <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy, nie został podany albo ortofotomapa mu tu nie odpowiada</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
@@ -10959,22 +10916,17 @@
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linie mozaikowania wzdłuż ich granic się nie liczą, a tam, gdzie się pokrywają, liczą się dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
-        <source>failed: {failed} of {length}; {share} of that may keep enough; failures: {count}, in sheets: {sheets} of {all}</source>
-        <translation>niezgodne: {failed} z {length}; {share} z tego może zachować dość; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="129"/>
         <source>failed: {failed} of {length}</source>
         <translation>niezgodne: {failed} z {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
         <source>the mosaic is mixed into them along {metres} of seam, such as at {place}</source>
         <translation>ortofotomapa jest do nich domieszana wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
         <source>not given: {names}</source>
         <translation>nie podano: {names}</translation>
     </message>
@@ -11122,6 +11074,90 @@
         <location filename="../plugin/seams/tables/scan_layers.py" line="82"/>
         <source>{finding} {lacking:.0f} m could not be measured.</source>
         <translation>{finding} Nie dało się zmierzyć {lacking:.0f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
+        <source>What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along {metres:.0f} m, such as at {place}, pixels are missing, or those that were given do not explain the mosaic; ask the producer for them.</source>
+        <translation>Co by rozstrzygnęło: skanowanie z ortoobrazami, z których powstała ortofotomapa, całymi i niezmienionymi. Wzdłuż {metres:.0f} m, na przykład w miejscu {place}, brakuje pikseli albo podane ortoobrazy nie wyjaśniają ortofotomapy; poproś o nie wykonawcę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
+        <source>What would decide it: an operator&apos;s look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; whoever signs decides by that. A scan with longer pieces may not measure enough.</source>
+        <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie rozstrzyga osoba podpisująca. Skanowanie z dłuższymi odcinkami może nie zmierzyć dość.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="127"/>
+        <source>failed: {failed} of {length}, all of which surely lost detail: {sure} surely more than allowed, {near} by the best estimate; failures: {count}, in sheets: {sheets} of {all}</source>
+        <translation>niezgodne: {failed} z {length}; wszystkie na pewno straciły detale: {sure} na pewno więcej, niż wolno, {near} według najlepszego oszacowania; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <source>an orthoimage ends there, or was not given</source>
+        <translation>ortoobraz się tam kończy albo nie został podany</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <source>the orthoimages do not explain the mosaic: changed, others, or too little texture</source>
+        <translation>ortoobrazy nie wyjaśniają tam ortofotomapy: zmienione, inne albo za mało tekstury</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <source>too short to be measured</source>
+        <translation>za krótkie do pomiaru</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <source>not enough to measure it without orthoimages, or these can&apos;t be read any more</source>
+        <translation>za mało do pomiaru bez ortoobrazów albo nie można ich już odczytać</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <source>; sheets undecided by themselves: {count}</source>
+        <translation>; arkusze same w sobie nierozstrzygnięte: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
+        <source>missing, without pixels or not explaining the mosaic along {metres} of seam, such as at {place}; to be given by the producer</source>
+        <translation>brakuje ich, nie mają pikseli albo nie wyjaśniają ortofotomapy wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <source>none were given, or their files can&apos;t be read</source>
+        <translation>nie podano ich albo nie można odczytać ich plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="231"/>
+        <source>; with those that meet {joined}</source>
+        <translation>; z tymi, które się stykają, {joined}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
+        <source>Length of seam along which orthoimages are missing, without pixels or do not explain the mosaic.</source>
+        <translation>Długość linii mozaikowania, wzdłuż których brakuje ortoobrazów, nie mają one pikseli albo nie wyjaśniają ortofotomapy.</translation>
+    </message>
+    <message>
+        <source>the layer of failures with its folder of pictures</source>
+        <translation>warstwa usterek z jej folderem obrazków</translation>
+    </message>
+    <message>
+        <source>the findings in bold</source>
+        <translation>uwagi zapisane pogrubieniem</translation>
+    </message>
+    <message>
+        <source>To be sent to the producer: {what}.</source>
+        <translation>Do przesłania wykonawcy: {what}.</translation>
+    </message>
+    <message>
+        <source>Between two failed pieces of a failure may lie one that was not measured, no longer than a typical piece. Kept, the orthoimages and the band refer to the piece that kept least.</source>
+        <translation>Między dwoma niezgodnymi odcinkami usterki może leżeć jeden niezmierzony, nie dłuższy od typowego. Zachowanie, ortoobrazy i szerokość pasa dotyczą odcinka, który zachował najmniej.</translation>
+    </message>
+    <message>
+        <source>an orthoimage is not shown, since it ends here or was not given</source>
+        <translation>nie pokazano jednego z ortoobrazów, bo się tu kończy albo nie został podany</translation>
+    </message>
+    <message>
+        <source>no cut is shown, since pixels of the mosaic are missing around the place, or the mosaic does not follow these orthoimages</source>
+        <translation>nie pokazano ortoobrazów ciętych ostro, bo wokół tego miejsca brakuje pikseli ortofotomapy albo nie odpowiada ona tym ortoobrazom</translation>
     </message>
 </context>
 </TS>

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .toolkit.algorithms.run import Run
 
 _MOST_IMAGES = 2
-_AROUND_PX = 416, 272, 176  # sides of ground that tells which orthoimage is followed where: less where pixels lack
+_AROUND_PX = 416, 272, 176, 120  # sides of ground that tells which orthoimage is followed where: less where pixels lack
 
 
 class ProvenAcceptMosaic(AcceptMosaic):

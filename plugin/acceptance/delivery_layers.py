@@ -47,10 +47,12 @@ def inspected_windows(
             continue
         if extent is not None:
             remarks = filter(None, (text(row["remark"]), text(row["remark_2"])))
-            windows.append(SeenWindow(extent, text(row["cause"]), tuple(remarks), text(row["observer"])))
+            cause = "" if text(row["cause"]) == _NO_CAUSE else text(row["cause"])
+            windows.append(SeenWindow(extent, cause, tuple(remarks), text(row["observer"])))
     return tuple(windows)
 
 
+_NO_CAUSE = "none"  # the inspection's word
 _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
 _LINE = QgsWkbTypes.GeometryType.LineGeometry
 

@@ -14,10 +14,10 @@ from ...imagery.lines import line_wkt
 from ...imagery.records import GEOMETRY, TableRows
 from ...imagery.seam_totals import PieceState
 from .acceptance_rules import AcceptanceRules
-from .delivery import DeliveredPiece, Delivery, SeenWindow
+from .delivery import DeliveredPiece, Delivery, SeamCover, SeenWindow
+from .orthoimage_cover import COVERED
 from .sampling_plans import SamplingPlan
 
-COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
 _ALONG = np.linspace(0, 1, 11)  # places along a piece of which one may be nearest to what was looked at
 
 
@@ -33,8 +33,10 @@ class Unmeasured(Enum):
     """Why a piece on ground with detail was not measured."""
 
     ROUGH = "rough"  # its interval is too wide: it fails as likely as that says
-    UNCOVERED = "uncovered"  # an orthoimage beside it has no pixels on its own side
-    OTHER = "other"  # too short, or no orthoimage explains it, or the files can't be read any more
+    UNCOVERED = "uncovered"  # an orthoimage ends beside it or before it, or was not given
+    UNEXPLAINED = "unexplained"  # the orthoimages show the place, and not what the mosaic was made from
+    SHORT = "short"  # there is too little of it
+    OTHER = "other"  # no orthoimages are given, or their files can't be read any more
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,7 @@ class DecidedPiece:
     state: PieceState  # passed, failed, not measured, or on ground without detail
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
     run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
-    cover: tuple[float, float] | None = None  # as ``seam_cover`` has it; None where that is not known
+    cover: SeamCover | None = None  # None where that is not known
 
     @property
     def unmeasured(self) -> Unmeasured | None:
@@ -54,14 +56,21 @@ class DecidedPiece:
             return None
         if None not in (self.piece.kept_1, self.piece.kept_low, self.piece.kept_high):
             return Unmeasured.ROUGH
-        return Unmeasured.UNCOVERED if self.uncovered_m else Unmeasured.OTHER
+        if self.cover is None:
+            return Unmeasured.OTHER
+        if self.cover.is_short and min(self.cover.side, self.cover.most) >= COVERED:
+            return Unmeasured.SHORT
+        return Unmeasured.UNCOVERED if self.cover.both < COVERED else Unmeasured.UNEXPLAINED
 
     @property
-    def uncovered_m(self) -> float:
-        """Metres beside which an orthoimage has no pixels on its own side: all of a piece that was not measured."""
-        if self.cover is None or self.cover[0] >= COVERED or self.state is PieceState.NO_DETAIL:
+    def blank_m(self) -> float:
+        """Metres of which nobody knows by what the producer gave: all of a piece whose orthoimages lack pixels, or show
+        something else than the mosaic; of one that passed those where they lack pixels."""
+        if self.unmeasured in (Unmeasured.UNCOVERED, Unmeasured.UNEXPLAINED):
+            return self.piece.length_m
+        if self.cover is None or self.cover.side >= COVERED or self.state is not PieceState.PASSED:
             return 0.0
-        return self.piece.length_m * (1.0 if self.state is PieceState.NOT_MEASURED else 1 - self.cover[0])
+        return self.piece.length_m * (1 - self.cover.side)
 
 
 @dataclass(frozen=True)
@@ -73,6 +82,7 @@ class FailureRun:
     pieces: tuple[int, ...]  # the pieces' numbers, in the order in which they follow each other
     sheets: tuple[str, ...]  # that it lies in
     place: tuple[float, float]  # a point half-way along it, in the delivery's reference system
+    joined_m: float = 0.0  # length of it with all failures that meet it, and those that meet these
 
 
 @dataclass(frozen=True)
@@ -106,11 +116,6 @@ class MetreFigures:
     def failed_share(self) -> float | None:
         """Share of the measured metres that failed, 0 to 1; None where nothing was measured."""
         return self.failed_m / self.measured_m if self.measured_m else None
-
-    @property
-    def failed_unclear_share(self) -> float | None:
-        """Share of the failed metres whose interval reaches above the limit, 0 to 1; None where none failed."""
-        return self.failed_unclear_m / self.failed_m if self.failed_m else None
 
     @property
     def measured_share(self) -> float:
@@ -226,11 +231,6 @@ class Defect:
     def unclear_m(self) -> float:
         """Metres of it in pieces whose interval holds the limit."""
         return sum(decided.piece.length_m for decided in self.pieces if decided.is_unclear)
-
-    @property
-    def widest(self) -> DeliveredPiece:
-        """The piece with the widest band that is known."""
-        return max((decided.piece for decided in self.pieces), key=lambda piece: piece.band_width_m or 0.0)
 
     @property
     def cause(self) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -156,6 +157,15 @@ class DeliveredLayer:
     is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it
 
 
+class SeamCover(NamedTuple):
+    """What the two orthoimages beside a piece show of the strip along it; shares from 0 to 1."""
+
+    side: float  # of its half, what the one shows that shows less, as far as the seam is known
+    most: float  # of the strip, what the one shows that shows more, likewise
+    both: float  # of the strip, what both show at least
+    is_short: bool = False  # whether it is too short to be measured, or short where an orthoimage ends beside it
+
+
 @dataclass(frozen=True)
 class FileDoubts:
     """Names of files, and of layers that are of others, by what is wrong with them."""
@@ -167,7 +177,7 @@ class FileDoubts:
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
-    cover: Mapping[int, tuple[float, float]] = field(default_factory=dict, hash=False)  # as ``seam_cover`` gives it
+    cover: Mapping[int, SeamCover] = field(default_factory=dict, hash=False)  # as ``seam_cover`` gives it
 
 
 @dataclass(frozen=True)
@@ -185,6 +195,12 @@ class Delivery:
     def unit_m(self) -> float:
         """Metres on the ground in a unit of the coordinates. Raises SettingsError as ``unit_metres``."""
         return unit_metres((piece.vertices for piece in self.pieces), self.wkt)
+
+    @property
+    def not_given(self) -> list[str]:
+        """Names of orthoimages that seamlines name and the scans lacked."""
+        names = ", ".join(layer.settings.get("not_given", "") for layer in self.layers).split(", ")
+        return [*dict.fromkeys(filter(None, names))]
 
     @property
     def lacking_m(self) -> float:

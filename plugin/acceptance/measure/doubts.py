@@ -15,7 +15,7 @@ from . import messages
 from .acceptance_rules import LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRules
 from .decision import AcceptanceOutcome, MetreFigures
 from .delivery import Delivery, Seal, SheetState
-from .seen_ground import SeenGround, ground_sentences, numbers_in, unseen_seams
+from .seen_ground import SeenGround, numbers_in, unseen_seams
 
 _NAMED = 3  # layers that a sentence names
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
@@ -62,17 +62,16 @@ def lacking(
     for layer in delivery.layers:
         if names := layer.settings.get("may_be_copies"):
             yield messages.SOURCES_ARE_MOSAIC(names=names), messages.WOULD_GIVE_ORIGINALS
-        if metres := SeenGround.of_settings(layer.settings).mixed_m:
+        if metres := SeenGround((layer.settings,)).total("mixed_metres"):
             names = _first_names(layer.settings.get("mixed_sources", "").split(", "))
             yield messages.SOURCES_HOLD_MOSAIC(metres=metres, names=names), messages.WOULD_GIVE_ORIGINALS
     is_open = by_rules is AcceptanceOutcome.UNDECIDED
     yield from _without_orthoimages(delivery, whole, rules.limit(MEASURED_SHARE) or 0.0, is_open)
-    grounds = {layer.name: SeenGround.of_settings(layer.settings) for layer in delivery.layers}
     for reason in [*unseen_seams(delivery, whole, rules)][:1]:
         yield reason, messages.WOULD_GIVE_SEAMS
     yield from _not_looked_at(delivery, sheets, rules)
     for layer in delivery.layers:
-        if unread := grounds[layer.name].unread:
+        if unread := SeenGround((layer.settings,)).most("unread"):
             place = layer.settings.get("unread_at", "")
             yield messages.MOSAIC_PARTLY_READ(name=layer.name, share=unread, place=place), messages.WOULD_SEE_SHEETS
 
@@ -81,15 +80,14 @@ def _without_orthoimages(
     delivery: Delivery, whole: MetreFigures, least: float, is_open: bool
 ) -> Iterator[Doubt]:
     """Why too little was measured where orthoimages lack; those that are named come first."""
-    border = SeenGround.of_delivery(delivery).border_m
+    border = SeenGround.of_delivery(delivery).total("unexplained_border")
     seen, advice = whole.measured_m / ((whole.judged_m + border) or 1.0), messages.WOULD_GIVE_ORTHOIMAGES
-    names = [name for layer in delivery.layers for name in layer.settings.get("not_given", "").split(", ") if name]
-    if names and (is_open or seen < least):
-        yield messages.SOURCES_LACK(names=_first_names([*dict.fromkeys(names)])), advice
+    if delivery.not_given and (is_open or seen < least):
+        yield messages.SOURCES_LACK(names=_first_names(delivery.not_given)), advice
     for layer in delivery.layers:
-        ground = SeenGround.of_settings(layer.settings)
-        if (share := ground.unexplained) > 1 - least:
-            place = "; ".join(ground.unexplained_at) or "-"
+        ground = SeenGround((layer.settings,))
+        if (share := ground.most("unexplained")) > 1 - least:
+            place = ground.place("unexplained_at", "unexplained") or "-"
             yield messages.MOSAIC_LACKS(name=layer.name, share=share, limit=1 - least, place=place), advice
     if border and seen < least:
         yield messages.SEAMS_UNSEEN(metres=border, value=seen, limit=least), advice
@@ -129,10 +127,11 @@ def layer_sentences(delivery: Delivery) -> Iterator[Message]:
     if layers and all(layer.seal is Seal.WHOLE for layer in layers):
         yield messages.LAYERS_SEALED(count=len(layers))
     yield from _files(delivery)
-    if names := [layer.name for layer in layers if not SeenGround.of_settings(layer.settings).is_known]:
+    if names := [layer.name for layer in layers if "unexplained" not in layer.settings]:
         yield messages.SEAMS_ELSEWHERE_UNKNOWN(names=_first_names(names))
     for layer in layers:
-        yield from ground_sentences(layer.name, layer.settings)
+        if (looked_at := SeenGround((layer.settings,)).looked_at) < 1:
+            yield messages.SCAN_PARTLY(name=layer.name, share=looked_at)
     if names := [layer.name for layer in layers if layer.settings.get("seams") == "found"]:
         yield messages.SEAMS_FOUND(name=_first_names(names))
     if names := [layer.name for layer in layers if layer.settings.get("seams") == "given"]:

@@ -1,9 +1,9 @@
 """Failures without a break: failed pieces that follow each other, along a seam and on across seams and sheets.
 
 Two pieces follow each other where their ends touch. Where more than two failed pieces meet in a node, a run goes on
-along its own seam alone. A piece that was not measured, or that lies on ground without detail, says nothing of whether
-the failure ends there: one that is no longer than a typical piece does not break a run, and its own metres don't count.
-What passed always breaks it, and so does a gap. The length of a failure is that of its pieces.
+along its own seam alone; all that hangs together there is summed, too. A piece that was not measured, or that lies on
+ground without detail, says nothing of whether the failure ends there: one that is no longer than a typical piece does
+not break a run, and its own metres don't count. What passed always breaks it, and so does a gap.
 """
 from __future__ import annotations
 
@@ -109,7 +109,13 @@ def failure_runs(
     ends = _failed_ends(pieces, states, unit_m)
     lines = _unbroken_lines(ends, {number: pieces[number].seam if pieces[number].seam_id else None for number in ends})
     runs = sorted((_run(steps, pieces) for steps in lines), key=lambda run: -run.length_m)
-    return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
+    groups, joined_m = _united([*ends.values()], 2 * len(pieces)), defaultdict[int, float](float)
+    for number, (place, _) in ends.items():
+        joined_m[groups[place]] += pieces[number].length_m
+    return tuple(
+        replace(run, number=number, joined_m=joined_m[groups[ends[run.pieces[0]][0]]])
+        for number, run in enumerate(runs, 1)
+    )
 
 
 def unknown_runs(

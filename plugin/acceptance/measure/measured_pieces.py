@@ -9,8 +9,9 @@ import numpy as np
 
 from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
 from ...imagery.statistics import NORMAL_95
-from .decision import COVERED, DecidedPiece, FailureRun, MetreFigures, Unmeasured
+from .decision import DecidedPiece, FailureRun, MetreFigures, Unmeasured
 from .delivery import DeliveredPiece, Delivery
+from .orthoimage_cover import COVERED
 
 NO_VERDICT = "not_comparable"  # the scan's word
 _LEAST = 1e-3  # share kept, of which a logarithm is taken
@@ -34,15 +35,6 @@ def _failing_chance(decided: DecidedPiece, least_kept: float) -> float:
     """How likely a piece whose interval holds the limit keeps less than that."""
     piece = decided.piece
     return failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)
-
-
-def unmeasured_metres(pieces: Iterable[DecidedPiece]) -> dict[Unmeasured, float]:
-    """Metres that were not measured, by why."""
-    metres = dict.fromkeys(Unmeasured, 0.0)
-    for decided in pieces:
-        if decided.unmeasured is not None:
-            metres[decided.unmeasured] += decided.piece.length_m
-    return metres
 
 
 def roughly_failed_m(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
@@ -108,8 +100,8 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
             low, high = (kept * (end / kept) ** narrower for end in (low, high))
             has_verdict |= narrower < 1
         is_measured = piece_state(kept, low, high, least_kept, has_verdict) in MEASURED
-        if decided.unmeasured is Unmeasured.OTHER and decided.cover is not None and decided.cover[1] < COVERED:
-            is_measured = decided.cover[1] * longer_m >= shortest
+        if kept is None and decided.cover is not None and decided.cover.both < COVERED <= decided.cover.side:
+            is_measured = decided.cover.both * longer_m >= shortest
         measured += piece.length_m * is_measured
     return measured / total if total else 0.0
 

@@ -134,12 +134,12 @@ WOULD_MEASURE = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m (PIECE), with which some {share:.0%} of the metres "
     "would be measured.", WARNING)
 WOULD_GIVE_COVER = Message(
-    "What would decide it: a scan with orthoimages that have pixels on both sides of the seams. Those that were given "
-    "lack them along {metres:.0f} m, such as at {x:.1f}, {y:.1f}; ask the producer for them.", WARNING)
+    "What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along "
+    "{metres:.0f} m, such as at {place}, pixels are missing, or those that were given do not explain the "
+    "mosaic; ask the producer for them.", WARNING)
 WOULD_LOOK_THERE = Message(
     "What would decide it: an operator's look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; "
-    "whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not "
-    "measure enough; the field 'reason' of the seams says why.", WARNING)
+    "whoever signs decides by that. A scan with longer pieces may not measure enough.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them to the scan.", WARNING)

@@ -2,9 +2,9 @@
 
 A rule is kept or broken where nothing that is not known could turn it round:
 
-- Of metres beside which orthoimages lack pixels nobody knows, nor of others that are more than the rules allow: a share
-  is too large only with all of them sound, and kept with all of them lost. Those whose intervals are too wide to count
-  fail as likely as these say. Ground without detail has nothing to lose and is no part of any share.
+- Of metres that orthoimages hide nobody knows, nor of others that are more than the rules allow: a share is too large
+  only with all of them sound, and kept with all of them lost. Those whose intervals are too wide to count fail as
+  likely as these say. Ground without detail has nothing to lose and is no part of any share.
 - Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
   end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
 - A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open. So does a
@@ -31,8 +31,8 @@ from .measured_pieces import (
     measured_with,
     roughly_failed_m,
     surely_failed_m,
-    unmeasured_metres,
 )
+from .seen_ground import place_words
 
 MOST_AT_ENDS = 0.2
 """Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
@@ -77,28 +77,23 @@ class Ruling:
         figures, least_kept = self.figures, self.rules.least_kept
         likely_m = figures.failed_m + roughly_failed_m(self.pieces, least_kept)
         within, blank_m = self._within, self._blank_m
-        known_m = figures.measured_m - self._hidden_m + self._unmeasured[Unmeasured.ROUGH]
+        hidden_m = math.fsum(decided.blank_m for decided in self.pieces if decided.state is PieceState.PASSED)
+        known_m = figures.measured_m - hidden_m + self._unmeasured_m(Unmeasured.ROUGH)
         low, high = max(likely_m - within, 0.0), min(likely_m + within, known_m) + blank_m
         value = figures.failed_m / figures.measured_m
         return value, min(low / (known_m + blank_m), value), max(high / (known_m + blank_m), value)
 
-    @cached_property
-    def _unmeasured(self) -> dict[Unmeasured, float]:
-        return unmeasured_metres(self.pieces)
+    def _unmeasured_m(self, *why: Unmeasured) -> float:
+        return math.fsum(decided.piece.length_m for decided in self.pieces if decided.unmeasured in why)
 
     @cached_property
     def _blank_m(self) -> float:
-        """Metres that were not measured and may all have failed: those beside which orthoimages lack pixels, which the
-        producer gives, and the rest where that is more than the rules leave to chance."""
+        """Metres that were not measured and may all have failed: those that the producer's orthoimages hide, and the
+        rest where that is more than the rules leave to chance."""
         least = self.rules.rule(MEASURED_SHARE)
         is_enough = least is None or least.passes(self.figures.measured_share)
-        others = 0.0 if is_enough else self._unmeasured[Unmeasured.OTHER]
-        return self._unmeasured[Unmeasured.UNCOVERED] + self._hidden_m + others
-
-    @cached_property
-    def _hidden_m(self) -> float:
-        """Metres of pieces that passed by a part beside which there are pixels."""
-        return math.fsum(decided.uncovered_m for decided in self.pieces if decided.state is PieceState.PASSED)
+        others = 0.0 if is_enough else self._unmeasured_m(Unmeasured.SHORT, Unmeasured.OTHER)
+        return math.fsum(decided.blank_m for decided in self.pieces) + others
 
     @cached_property
     def _known_within(self) -> float:
@@ -179,8 +174,8 @@ class Ruling:
         return float(np.median([decided.piece.length_m for decided in self.pieces]))
 
     def _would_measure(self, has_sources: bool, is_little: bool) -> Message:
-        """Orthoimages that have pixels; else a length of pieces that would measure as much as is wanted and hides no
-        failure, else what remains. ``is_little``: whether less was measured than the rules ask for."""
+        """The true orthoimages; else a length of pieces that would measure as much as is wanted and hides no failure,
+        else what remains. ``is_little``: whether less was measured than the rules ask for."""
         least, lacking, blank_m = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m, self._blank_m
         run, failed, every_m = self.rules.rule(LONGEST_FAILURE), self.figures.failed_m, self.figures.judged_m
         may_fail = self.rules.limit(FAILED_SHARE) or 0.0
@@ -190,10 +185,9 @@ class Ruling:
             wanted, needed = lacking, max(needed, 1 - run.limit / every_m)  # no row of it may be a failure
         if not has_sources:
             return messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
-        uncovered = [decided for decided in self.pieces if decided.uncovered_m]
-        if uncovered and 2 * (metres := math.fsum(decided.uncovered_m for decided in uncovered)) >= wanted:
-            x, y = uncovered[0].piece.middle
-            return messages.WOULD_GIVE_COVER(metres=metres, x=x, y=y)
+        hidden = [decided for decided in self.pieces if decided.blank_m]
+        if hidden and 2 * (metres := math.fsum(decided.blank_m for decided in hidden)) >= wanted:
+            return messages.WOULD_GIVE_COVER(metres=metres, place=place_words(hidden[0].piece.middle))
         typical, longest = self._typical_m(), (run.limit if run else 0.0) / 2 or math.inf
         for piece in (min(round(times * typical), longest) for times in (2, 4)):
             share = measured_with(self.pieces, self.rules.least_kept, piece)

@@ -2,8 +2,6 @@
 from __future__ import annotations
 
 import math
-import re
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -18,11 +16,10 @@ from ...toolkit.charts.figure_files import new_figure, svg_text
 from ...toolkit.pages.templates import save_page
 from ...toolkit.pictures import encoded
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
-from ..measure.acceptance_rules import KEPT
+from ..measure.acceptance_rules import KEPT, LONGEST_FAILURE
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Unmeasured
-from ..measure.delivered_rows import united_settings
 from ..measure.delivery import DeliveredPiece
-from ..measure.seen_ground import SeenGround
+from ..measure.seen_ground import SeenGround, place_words
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
@@ -46,7 +43,6 @@ from .words import (
 
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
 MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
-_NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
 OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
@@ -54,7 +50,6 @@ OUTCOME_STATES = {
 """How the decision looks on the page."""
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
-_PANELS = 4  # of a failure: mosaic, cut, two orthoimages
 _BAND_KEPT = 0.9  # the scan's band: less is kept in it
 _WIDEST = 39.9  # of the judged strip: the widest feather that a scan tells
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
@@ -73,6 +68,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         "acceptance",
         how_measured(record),
         title=record.title,
+        decided=decision,
         head=[*head_rows(record.head)],
         verdict=_verdict(decision, parts),
         advice=sentence(decision.sentences[1]) if is_undecided else "",
@@ -85,15 +81,11 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sheets=[_sheet_row(*row) for row in zip(decision.sheets, sheet_words)],
         is_each_judged=all(sheet_words),
         whole=_sheet_row(decision.whole, "") if len(decision.sheets) > 1 else None,
-        findings=[*decision.delivery.findings.items()],
         map=decision_map(decision, defects[:MOST_ROWS]),
         map_px=MAP_PX,
         map_legend=_legend(decision),
-        is_sample=decision.delivery.sampled_numbers is not None,
         defects=texts,
-        defect_count=len(defects),
         unknown=[*_unknown_rows(decision)],
-        unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         layers=record.seams,
@@ -132,17 +124,20 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery; the
     files and radiometry last."""
     count, faulty, whole = len(decision.sheets), len(decision.delivery.findings), decision.whole
-    words = tr("failed: {failed} of {length}; {share} of that may keep enough; failures: {count}, in sheets: {sheets} "
-               "of {all}") if whole.failed_m else tr("failed: {failed} of {length}")
-    failures = filled(words, failed=metres(whole.failed_m), length=metres(whole.total_m),
-        share=share(whole.failed_unclear_share, 1), count=len(decision.runs),
+    words = tr("failed: {failed} of {length}, all of which surely lost detail: {sure} surely more than allowed, {near} "
+               "by the best estimate; failures: {count}, in sheets: {sheets} of {all}") if whole.failed_m else (
+                   tr("failed: {failed} of {length}"))
+    failures = filled(words, failed=metres(whole.failed_m), length=metres(whole.total_m), count=len(decision.runs),
+        sure=metres(whole.failed_m - whole.failed_unclear_m), near=metres(whole.failed_unclear_m),
         sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
-    if alone := sum(outcome is AcceptanceOutcome.REJECTED for outcome in decision.sheet_outcomes):
+    if alone := decision.sheet_outcomes.count(AcceptanceOutcome.REJECTED):
         failures += filled(tr("; sheets rejected by themselves: {count}"), count=alone)
+    if decision.accepted and (alone := decision.sheet_outcomes.count(AcceptanceOutcome.UNDECIDED)):
+        failures += filled(tr("; sheets undecided by themselves: {count}"), count=alone)
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
     if whole.not_measured_m:
         yield tr("seams that were not measured"), metres(whole.not_measured_m), _unmeasured(decision), False
-    if whole.not_measured_m or SeenGround.of_delivery(decision.delivery).mixed_m:
+    if whole.not_measured_m or SeenGround.of_delivery(decision.delivery).total("mixed_metres"):
         yield _cover_part(decision)
     yield from _ground_parts(decision)
     name = tr("completeness and form of the files")
@@ -156,41 +151,38 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
 
 
 def _unmeasured(decision: Decision) -> str:
-    """Why pieces were not measured, those of most metres first; what else is, in the words of the scan for the first of
-    those pieces that it tells the same of, without its advice."""
-    lengths: dict[str, float] = defaultdict(float)
-    words: dict[object, str] = {
+    """Why pieces were not measured, those of most metres first."""
+    words = {
         Unmeasured.ROUGH: tr("what is kept is known too roughly"),
-        Unmeasured.UNCOVERED: tr("the orthoimages have no pixels beside the seam"),
-    }
-    for decided in decision.pieces:
-        if decided.unmeasured is not None:
-            reason = decided.piece.reason.partition(";")[0].rstrip(".") or tr("no reason is given")
-            is_known = decided.unmeasured in words
-            kind = words[decided.unmeasured] if is_known else words.setdefault(_NUMBER.sub("", reason), reason)
-            lengths[kind] += decided.piece.length_m
-    reasons = sorted(lengths.items(), key=lambda reason: -reason[1])
-    return "; ".join(f"{metres(length)}: {reason}" for reason, length in reasons)
+        Unmeasured.UNCOVERED: tr("an orthoimage ends there, or was not given"),
+        Unmeasured.UNEXPLAINED: tr("the orthoimages do not explain the mosaic: changed, others, or too little texture"),
+        Unmeasured.SHORT: tr("too short to be measured"),
+        Unmeasured.OTHER: tr("not enough to measure it without orthoimages, or these can't be read any more"),
+    }  # fmt: skip
+    lengths = {why: math.fsum(decided.piece.length_m for decided in decision.pieces if decided.unmeasured is why)
+               for why in words}
+    reasons = sorted(filter(lengths.get, words), key=lambda why: -lengths[why])
+    return "; ".join(f"{metres(lengths[why])}: {words[why]}" for why in reasons)
 
 
 def _cover_part(decision: Decision) -> tuple[str, str, str, bool]:
     """Whether the orthoimages are given, show both sides of the seams and hold no mosaic, as far as that is known."""
-    name = tr("orthoimages along the seams")
-    if (ground := SeenGround.of_delivery(decision.delivery)).mixed_m:
+    name, is_reason = tr("orthoimages along the seams"), decision.accepted is not True
+    ground = SeenGround.of_delivery(decision.delivery)
+    if mixed_m := ground.total("mixed_metres"):
         words = filled(tr("the mosaic is mixed into them along {metres} of seam, such as at {place}"),
-            metres=metres(ground.mixed_m), place="; ".join(ground.mixed_at))
-        return name, tr("With findings"), words, decision.accepted is not True
-    if lacking := [decided for decided in decision.pieces if decided.uncovered_m]:
-        worst = max(lacking, key=lambda decided: decided.uncovered_m)
-        words = filled(tr("no pixels beside {metres} of seam, such as at {place}; to be given by the producer"),
-            metres=metres(sum(decided.uncovered_m for decided in lacking)),
-            place=", ".join(formatted(along, ".1f") for along in worst.piece.middle))
-        return name, tr("With findings"), words, decision.accepted is not True
-    if names := united_settings(decision.delivery.layers).get("not_given"):
-        return name, tr("With findings"), filled(tr("not given: {names}"), names=names), decision.accepted is not True
-    lacks = any(decided.cover is None and decided.unmeasured is Unmeasured.OTHER for decided in decision.pieces)
+            metres=metres(mixed_m), place=ground.place("mixed_at", "mixed_metres"))
+        return name, tr("With findings"), words, is_reason
+    if hidden := [decided for decided in decision.pieces if decided.blank_m]:
+        words = filled(tr("missing, without pixels or not explaining the mosaic along {metres} of seam, such as at "
+            "{place}; to be given by the producer"), metres=metres(sum(decided.blank_m for decided in hidden)),
+            place=place_words(max(hidden, key=lambda decided: decided.blank_m).piece.middle))
+        return name, tr("With findings"), words, is_reason
+    if names := ", ".join(decision.delivery.not_given):
+        return name, tr("With findings"), filled(tr("not given: {names}"), names=names), is_reason
+    lacks = any(decided.unmeasured is Unmeasured.OTHER for decided in decision.pieces)
     return (name, tr("No findings"), "", False) if not lacks else (
-        name, tr("Not checked"), tr("their files can't be read"), False)
+        name, tr("Not checked"), tr("none were given, or their files can't be read"), False)
 
 
 def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
@@ -203,21 +195,22 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         for name in names:
             yield name, tr("Not checked"), tr("not stated in the layers of seams"), False
         return
-    apart = ground.unseen_m + ground.unchanged_m
-    is_given = "given" in ground.seams
+    unseen, unchanged = ground.total("unseen_metres"), ground.total("unchanged_metres")
+    unexplained, nodata = ground.most("unexplained"), ground.most("nodata_inside")
+    is_given = any("given" in scan.get("seams", "") for scan in ground.scans)
     words = filled(tr("given: {judged}, found: {seen}") if is_given else tr("found: {judged}"), judged=metres(judged),
-        seen=metres(judged - ground.unchanged_m + ground.unseen_m))
-    if apart:
+        seen=metres(judged - unchanged + unseen))
+    if apart := unseen + unchanged:
         words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
             tr("; borders without a measured seam: {unseen}")
-        ), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
-    for name, figure, figures, places in (
-        (names[0], apart, words, ground.unseen_at),
-        (names[1], ground.unexplained,
-         filled(tr("{share} of the ground with texture"), share=share(ground.unexplained, 1)), ground.unexplained_at),
-        (names[2], ground.nodata, share(ground.nodata, 1), ground.nodata_at),
+        ), unseen=metres(unseen), unchanged=metres(unchanged))
+    for name, figure, figures, place in (
+        (names[0], apart, words, ground.place("unseen_at", "unseen_longest")),
+        (names[1], unexplained, filled(tr("{share} of the ground with texture"), share=share(unexplained, 1)),
+         ground.place("unexplained_at", "unexplained")),
+        (names[2], nodata, share(nodata, 1), ground.place("nodata_at", "nodata_inside")),
     ):
-        where = filled(tr("; most of it around {place}"), place=places[0]) if places else ""
+        where = filled(tr("; most of it around {place}"), place=place) if place else ""
         is_reason = decision.accepted is not True and figure > 0 and name != names[2]
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
@@ -231,9 +224,13 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str
         filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)),
         1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False, "",
     )
+    joined_m = max((run.joined_m for run in decision.runs), default=0.0)
     for outcome in decision.outcomes:
+        value = outcome_value(outcome)
+        if outcome.check == LONGEST_FAILURE and outcome.value and metres(joined_m) != metres(outcome.value):
+            value += filled(tr("; with those that meet {joined}"), joined=metres(joined_m))
         yield (
-            tr(CHECKS[outcome.check].title), outcome_value(outcome), outcome_limit(outcome),
+            tr(CHECKS[outcome.check].title), value, outcome_limit(outcome),
             1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
             _capital(sentence(outcome.sentence)) if outcome.passed is None and outcome.low != outcome.high and (
                 outcome.sentence != decision.foremost) else "",
@@ -289,11 +286,11 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
         "begins": max(ends, key=ends.__getitem__) if len(defect.pieces) > 1 else "",
         "pieces": ", ".join(share_beside(decided.piece.kept_1, least_kept) for decided in defect.pieces),
         "unclear": filled(tr("{length} unclear"), length=metres(defect.unclear_m)) if defect.unclear_m else "",
-        "band": _band_words(defect.widest),
+        "band": _band_words(piece),
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        "place": [formatted(along, ".1f") for along in defect.run.place],
+        "place": place_words(defect.run.place).split(", "),
     }
 
 
@@ -314,8 +311,7 @@ def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
             decision.pieces[number].piece.length_m for number in run.pieces
             if decision.pieces[number].state is PieceState.FAILED
         )
-        place = " ".join(formatted(along, ".1f") for along in run.place)
-        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place]
+        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place_words(run.place)]
 
 
 def _pictures(
@@ -333,7 +329,7 @@ def _pictures(
                 "profile": svg_text(_profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
-                "lacks_panels": 1 < len(picture.panels) < _PANELS,
+                "kinds": [panel.kind for panel in picture.panels],
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
                     across=across),
                 "panels": [

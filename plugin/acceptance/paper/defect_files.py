@@ -246,7 +246,7 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("kept_1", "real", lambda defect: rounded(defect.worst.piece.kept_1)),
     Column("kept_low", "real", lambda defect: rounded(defect.worst.piece.kept_low)),
     Column("kept_high", "real", lambda defect: rounded(defect.worst.piece.kept_high)),
-    Column("band_width", "real", lambda defect: rounded(defect.widest.band_width_m)),
+    Column("band_width", "real", lambda defect: rounded(defect.worst.piece.band_width_m)),
     Column("visibility", "real", lambda defect: rounded(defect.worst.piece.visibility)),
     Column("cause", "text", lambda defect: defect.cause or None),
     *(_of_worst(name) for name in ("left_source", "right_source", "left_date", "right_date")),

@@ -90,10 +90,10 @@ def quality_elements(decision: Decision) -> Iterator[QualityElement]:
                 kinds.get(code, ACCURACY), code, tr(check.title), tr(check.description), _evaluation(code, decision),
                 None if outcome is None else _conformance(outcome), quantities,
             )
-    if lacking := sum(decided.uncovered_m for decided in decision.pieces):
+    if lacking := sum(decided.blank_m for decided in decision.pieces):
         yield QualityElement(
             OMISSION, "uncovered", tr("orthoimages along the seams"),
-            tr("Length of seam beside which the orthoimages that were given have no pixels."),
+            tr("Length of seam along which orthoimages are missing, without pixels or do not explain the mosaic."),
             Evaluation(FULL, tr("Each piece of seam on ground with detail.")), None, [(lacking, METRES, "")],
         )
     if decision.delivery.is_checked:

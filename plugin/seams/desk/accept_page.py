@@ -66,7 +66,7 @@ _FILES = {"REPORT": "report.html", "DEFECTS": "defects.gpkg", "QUALITY": "qualit
 class DeliveredScan:
     """The last scan of a mosaic of the project."""
 
-    words: str  # what its mosaic is called
+    words: str  # what its mosaic is called, and in brackets its file, as the report calls the sheet
     mosaic: str  # id of the mosaic's layer
     seams: str  # its pieces of seam, as QGIS opens them
 
@@ -78,8 +78,9 @@ def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
     for mosaic in sorted(rasters, key=lambda raster: (raster.id() != first, raster.name())):
         worst = worst_layer(project, mosaic.id())
         if worst is not None and layer_path(worst):
-            seams = f"{Path(layer_path(worst))}|layername={SEAMS.name}"
-            scans.append(DeliveredScan(mosaic.name(), mosaic.id(), seams))
+            file = Path(layer_path(worst))
+            words, seams = f"{mosaic.name()} ({file.stem})", f"{file}|layername={SEAMS.name}"
+            scans.append(DeliveredScan(words, mosaic.id(), seams))
     return scans
 
 
@@ -87,8 +88,7 @@ def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str,
     """What a decision on scans begins with, but for its outputs."""
     return {
         "SEAMS": [scan.seams for scan in scans], "MOSAIC": [scan.mosaic for scan in scans],
-        "SOURCES": list(inputs.sources), "SOURCE_INDEX": inputs.source_index or None,
-        "WINDOWS": inputs.windows or None,
+        "SOURCES": list(inputs.sources), "SOURCE_INDEX": inputs.source_index or None, "WINDOWS": inputs.windows or None,
     }
 
 

@@ -13,7 +13,6 @@ def test_pieces_without_a_break_are_one_defect_the_longest_first() -> None:
     assert [defect.run.length_m for defect in defects] == [75, 25]
     assert len(defects[0].pieces) == 3
     assert defects[0].run.place == pytest.approx(decided(["a"]).delivery.pieces[4].middle, abs=1)
-    assert defects[1].widest.band_width_m == 2.5
     assert (defects[1].worst.piece.left_source, defects[1].worst.piece.right_source) == IMAGES
     assert defects_of(decided()) == ()
 

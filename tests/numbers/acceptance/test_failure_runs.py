@@ -71,6 +71,8 @@ def test_three_seams_at_a_node_are_a_line_and_a_branch() -> None:
     along = seam([F, F, F, F])
     branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
     assert lengths(along, branch) == [40, 20]
+    far = seam([F], seam_id="3", start=(0, 90), number=6)
+    assert [run.joined_m for run in whole_runs(along, branch, far)] == [60, 60, 10]
 
 
 def test_a_ring_is_one_run() -> None:

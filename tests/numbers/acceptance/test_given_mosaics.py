@@ -74,30 +74,33 @@ def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list
     assert any(str(sentence).startswith(words) for sentence in decision.sentences) is (count > 1)
 
 
-@pytest.mark.parametrize(("hole_px", "gone", "words"), [
-    (12, False, "lack them along 30 m, such as at 500045.0, 5500000.0; ask the producer for them"),
-    (12, True, "the files that were scanned"),
-    (3, False, ""),
+GIVE = "complete and unchanged. Along 30 m, such as at 500045.0, 5500000.0, pixels are missing"
+
+
+@pytest.mark.parametrize(("hole_px", "name", "lacks", "words"), [
+    (12, "folder/B.TIF", "", GIVE), (12, "", "", GIVE), (0, "c.tif", "c.tif", "that are missing"),
+    (12, "folder/B.TIF", "mosaic.tif", "the files that were scanned"), (3, "folder/B.TIF", "", ""), (2, "", "", ""),
 ])  # fmt: skip
 def test_orthoimages_without_pixels_beside_a_seam_are_to_be_given(
-    tmp_path: Path, hole_px: int, gone: bool, words: str
+    tmp_path: Path, hole_px: int, name: str, lacks: str, words: str
 ) -> None:
-    """30 of 1000 m were not measured, where the second orthoimage has a hole around the seam, and 20 m may fail. It may
-    end a few pixels from the seam, where the mosaic shows the first one."""
+    """30 of 1000 m were not measured, where the second orthoimage has a hole around the seam, or was not given, and
+    20 m may fail. It may end a few pixels from the seam, where the mosaic shows the first one."""
     paths = []
-    for name in ("mosaic", "a", "b"):
+    for file in ("mosaic", "a", "b"):
         pixels = np.full((1, 200, 2000), 90, np.uint8)
-        pixels[:, 100 - hole_px : 100 + hole_px, 80:140] = 0 if name == "b" else 90
-        paths.append(write_raster(tmp_path / f"{name}.tif", pixels, 0.5, (LEFT, BOTTOM + 50), nodata=0))
+        pixels[:, 100 - hole_px : 100 + hole_px, 80:140] = 0 if file == "b" else 90
+        paths.append(write_raster(tmp_path / f"{file}.tif", pixels, 0.5, (LEFT, BOTTOM + 50), nodata=0))
     layer = layer_of("scan", paths[0])
     files = {**layer.settings, SOURCE_FILES: states_text(local_states(paths[1:]).items())}
+    files.update({"not_given": lacks} if lacks == name else {})
     row = seam([0.95] * 4 + [None] * 3 + [0.95] * 93, start=(LEFT, BOTTOM))
-    pieces = [replace(piece, left_source="a", right_source="folder/B.TIF") for piece in row]
-    if gone:
+    pieces = [replace(piece, left_source="a", right_source=name) for piece in row]
+    if lacks == "mosaic.tif":
         (tmp_path / "mosaic.tif").unlink()
     made = replace(delivery(pieces), layers=(replace(layer, settings=files),), wkt=UTM)
     decision = decide(replace(made, files=file_doubts(made, (), ())), rules())
     kinds = {decided.unmeasured for decided in decision.pieces} - {None}
-    assert kinds == {Unmeasured.UNCOVERED if words else Unmeasured.OTHER}
+    assert kinds == {Unmeasured.UNCOVERED if words else Unmeasured.SHORT}
     assert decision.outcome is (AcceptanceOutcome.UNDECIDED if words else AcceptanceOutcome.ACCEPTED)
     assert words in str(decision.sentences[1])

@@ -120,11 +120,10 @@ def test_all_scans_together() -> None:
         )
     )  # fmt: skip
     ground = SeenGround.of_delivery(replace(delivery(seam(SOUND)), layers=layers))
-    assert ground.seams == {"given", "found"}
-    assert (ground.unseen_m, ground.longest_unseen_m, ground.unchanged_m, ground.looked_at) == (50, 12.5, 5, 0.4)
-    assert list(ground.unseen_at) == ["500036.8, 4999944.0 (6 x 102 m)"]
-    assert [place[-11:] for place in ground.nodata_at] == ["(6 x 102 m)", " (9 x 10 m)"]
-    assert ground.unseen_m - ground.unchanged_m == 45
+    assert (ground.total("unseen_metres"), ground.total("unchanged_metres")) == (50, 5)
+    assert (ground.most("unseen_longest"), ground.looked_at) == (12.5, 0.4)
+    assert ground.place("unseen_at", "unseen_longest") == "500036.8, 4999944.0 (6 x 102 m)"
+    assert ground.place("nodata_at", "nodata_inside").endswith("(6 x 102 m)")
 
 
 def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
@@ -132,9 +131,9 @@ def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
     scans = [DeliveredLayer("a", Seal.WHOLE, 0.0, said(unread=unread, unexplained=unread, **dict.fromkeys(
         ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres"), "12.5"))) for unread in "12"]
     united = DeliveredLayer("sample", Seal.WHOLE, 0.0, united_settings(scans))
-    ground = SeenGround.of_settings(united.settings)
-    assert (ground.unread, ground.border_m) == (2, 25)
-    assert (ground.unseen_m, ground.hidden_m, ground.unchanged_m, ground.unexplained) == (25, 25, 25, 2)
+    ground = SeenGround((united.settings,))
+    assert (ground.most("unread"), ground.most("unexplained"), ground.total("unexplained_border")) == (2, 2, 25)
+    assert [*map(ground.total, ("unseen_metres", "hidden_metres", "unchanged_metres"))] == [25, 25, 25]
 
 
 def test_orthoimages_that_hold_the_mosaic_along_seams_are_not_accepted() -> None:
@@ -145,4 +144,5 @@ def test_orthoimages_that_hold_the_mosaic_along_seams_are_not_accepted() -> None
     assert words in str(decision.sentences[0])
     assert "complete orthoimages as rectified" in str(decision.sentences[1])
     both = SeenGround.of_delivery(decided(mixed, mixed).delivery)
-    assert (both.mixed_m, both.mixed_at[0]) == (199.0, "500036.8, 4999944.0")
+    assert both.total("mixed_metres") == 199
+    assert both.place("mixed_at", "mixed_metres") == "500036.8, 4999944.0"

@@ -84,11 +84,12 @@ def test_dates_causes_and_remarks_come_along(tmp_path: Path) -> None:
         provider.changeAttributeValues({row.id(): values})
     square = QgsGeometry.fromRect(QgsRectangle(X + 30, Y - 20, X + 70, Y + 20))
     windows = layer(
-        "Polygon", [square], UTM33, window_id=("integer", [7]),
-        cause=("string", ["feathering"]), remark=("string", [EVIL]), observer=("string", ["visible"]),
+        "Polygon", [square] * 2, UTM33, window_id=("integer", [7, 8]),
+        cause=("string", ["none", "feathering"]), remark=("string", ["", EVIL]), observer=("string", ["visible"] * 2),
     )  # fmt: skip
     path = tmp_path / "failures.gpkg"
-    accept(made, DEFECTS=str(path), WINDOWS=windows)
+    said = accept(made, DEFECTS=str(path), WINDOWS=windows).log.infos
+    assert any("Windows that operators inspected: 2; with a cause: 1" in text for text in said)
     first, second = rows(path)
     assert first["cause"] == "feathering"
     assert EVIL.strip()[:20] in first["remark"]

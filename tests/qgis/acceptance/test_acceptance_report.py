@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.delivery import FileDoubts, SeamCover
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import (
     CUT_PANEL,
@@ -36,6 +37,7 @@ def page_of(path: Path, record: InspectionRecord) -> Outline:
 
 def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path) -> None:
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
+    decision = replace(decision, runs=tuple(replace(run, joined_m=80.0) for run in decision.runs))
     page = page_of(tmp_path, record_of(scanned_with(decision, "coif3")))
     text = page.words[page.words.index("Rejected") :]  # after the page's looks
     share, longest = 100 * (decision.whole.failed_share or 0), decision.longest_failure_m
@@ -48,7 +50,7 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
     assert ruled["share of the seams that failed"][0] == f"{share:.2f}\u00a0%"
     assert ruled["share of the seams that failed"][1].startswith("at most 2\u00a0%")
     assert ruled["share of the seams that failed"][2] == "failed"
-    assert ruled["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
+    assert ruled["longest failure without a break"][0] == f"{longest:.1f}\u00a0m; with those that meet 80.0\u00a0m"
     assert ruled["longest failure without a break"][2] == "passed"
     row = ["sheet_1", "Rejected", "1000.0 m", "100.0 %", f"{longest:.1f} m", f"{longest / 10:.2f} %",
            f"{longest:.1f} m", "2 / 40", "0.0 m"]
@@ -125,22 +127,18 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
     assert why.endswith("but it may be 25.0 to 75.0 m by the intervals of its pieces.")
 
 
-def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: Path) -> None:
-    """Four kinds of reasons, whose numbers differ from piece to piece."""
-    reasons = [
-        "Between 41 and 133 %; take longer ones.", "Between 60 and 140 %; take longer ones.", "Blurred.",
-        "This piece is 5.0 m long.", "This piece is 0.2 m long.", "This piece is 3.5 m long.", "No ground; look.",
-        "No ground; look.",
-    ]
+def test_why_pieces_were_not_measured_is_told_by_kinds(tmp_path: Path) -> None:
     plain = decided()
-    pieces = [
-        replace(piece, kept_1=None, kept_low=None, kept_high=None, reason=reasons[number]) if number < len(reasons)
-        else piece for number, piece in enumerate(plain.delivery.pieces)
-    ]
-    page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
+    covers = SeamCover(0.5, 1, 0), SeamCover(1, 1, 0.5), SeamCover(1, 1, 1), SeamCover(1, 1, 1, is_short=True)
+    blank = [replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in plain.delivery.pieces[:5]]
+    made = replace(
+        plain.delivery, pieces=(*blank, *plain.delivery.pieces[5:]), files=FileDoubts(cover=dict(enumerate(covers)))
+    )
+    page = page_of(tmp_path, record_of(decide(made, plain.rules)))
     row = next(row for row in page.rows if row[0] == "seams that were not measured")
-    assert row[2].replace("\u00a0", " ") == (
-        "75.0 m: This piece is 5.0 m long; 50.0 m: Between 41 and 133 %; 50.0 m: No ground; 25.0 m: Blurred"
+    assert row[2].replace("\u00a0", " ").startswith(
+        "50.0 m: an orthoimage ends there, or was not given; 25.0 m: the orthoimages do not explain the mosaic: "
+        "changed, others, or too little texture; 25.0 m: too short to be measured; 25.0 m: not enough to measure it"
     )
 
 
@@ -161,8 +159,7 @@ def test_what_has_no_limit_stands_among_the_rules(tmp_path: Path) -> None:
 
 
 def test_a_band_wider_than_its_curve_is_known_and_panels_that_lack_are_told(tmp_path: Path) -> None:
-    """The first failure's curve does not come back to 90 %, the second one's does, the third one's feather goes on; an
-    image ends at the seam."""
+    """The first failure's curve does not come back to 90 %, the second one's does, the third one's feather goes on."""
     plain = decided(failed=[(0, 3), (0, 20), (0, 30)])
     pieces = [*plain.delivery.pieces]
     for number, farthest, feather in ((3, 0.8, 0.0), (20, 1.0, 0.0), (30, 1.0, 40.0)):
@@ -172,13 +169,14 @@ def test_a_band_wider_than_its_curve_is_known_and_panels_that_lack_are_told(tmp_
         decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules), mosaics=(ground(tmp_path / "mosaic.tif"),)
     )
     pixels = np.zeros((8, 8, 3), np.uint8)
-    panels = [ProofPanel(kind, "a.tif", pixels) for kind in (MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL, IMAGE_PANEL)]
-    seen = ((1, 4), (2, 3), (3, 3))
-    pictures = {number: DefectPicture(pixels, 10.0, True, tuple(panels[:count])) for number, count in seen}
+    mosaic, cut, image = (ProofPanel(kind, "a.tif", pixels) for kind in (MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL))
+    seen = ((mosaic, cut, image, image), (mosaic, cut, image), (mosaic, image, image))
+    pictures = {number: DefectPicture(pixels, 10.0, True, panels) for number, panels in enumerate(seen, 1)}
     save_acceptance_report(tmp_path / "report.html", record, pictures)
     words = outline((tmp_path / "report.html").read_text(encoding="utf-8")).words.replace("\u00a0", " ")
     first, second, third = words.split("least kept")[-3:]
     assert "band width at least 10.0 m" in first
     assert "band width 10.0 m" in second
     assert "band width at least 10.0 m" in third
-    assert ["the cut or an orthoimage is not shown" in words for words in (first, second)] == [False, True]
+    lacking = ["an orthoimage is not shown" in words for words in (first, second, third)]
+    assert (lacking, "since pixels of the mosaic are missing around the place" in third) == ([False, True, False], True)

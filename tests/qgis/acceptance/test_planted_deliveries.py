@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsVectorLayer
@@ -17,6 +18,7 @@ from tests.qgis.acceptance.planted import (
     GSD,
     ROWS,
     SHAPE,
+    STRIP,
     STRIPS,
     Block,
     make_block,
@@ -146,6 +148,29 @@ def test_5_a_missing_orthoimage(spoilt: Block, tmp_path: Path) -> None:
     assert 0 < (top - y) / GSD < ROWS
     assert "a scan with the orthoimages that are missing" in said(outcome)
     assert_all_say_the_same(tmp_path, outcome, made.results["SEAMS"])
+
+
+@pytest.mark.parametrize("spoil", ["pasted", "blank"])
+def test_5_orthoimages_that_hide_a_failure(spoil: str, tmp_path: Path) -> None:
+    """20 of 270 m are feathered, and there both orthoimages show the mosaic with noise, or nothing: more than may fail,
+    less than has to be measured. The seamlines name no orthoimage."""
+    block = make_block(tmp_path / "block", [(1, 300, 500)])
+    left, mosaic = gdal.Open(block.mosaic).GetGeoTransform()[0], gdal.Open(block.mosaic).ReadAsArray()
+    for path in block.sources[1:3]:
+        image = gdal.Open(path, gdal.GA_Update)
+        first = round((image.GetGeoTransform()[0] - left) / GSD)
+        place = slice(2 * STRIP - 40 - first, 2 * STRIP + 40 - first)
+        shown = mosaic[:, 295:505, first:][:, :, place] + np.random.default_rng(1).integers(-1, 2, (3, 210, 80))
+        image.WriteArray(np.uint8(np.clip(shown, 1, 255) * (spoil == "pasted")), place.start, 295)
+        image.GetRasterBand(1).SetNoDataValue(0)
+        image.FlushCache()
+    made = scan(block, tmp_path / "scan")
+    outcome = decide(tmp_path / "paper", made.results["SEAMS"])
+    assert (outcome.results["FAILED_METRES"], outcome.results["DECISION"]) == (0, "undecided")
+    assert outcome.results["MEASURED_METRES"] > 0.9 * outcome.results["TOTAL_METRES"]
+    assert "orthoimages that the mosaic was made from, complete and unchanged" in said(outcome)
+    page = outline((tmp_path / "paper" / "decision.html").read_text(encoding="utf-8")).words
+    assert "missing, without pixels or not explaining the mosaic along" in page
 
 
 def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:

@@ -78,13 +78,6 @@ def test_edits_that_are_not_saved_yet_break_the_seal() -> None:
     assert CHANGED in decision(decide(made))
 
 
-def test_a_layer_that_was_changed_is_still_rejected_and_says_so() -> None:
-    made = seams([F] * 10)
-    made.setCustomProperty("SEAM_INSPECTOR/rows", "11")
-    assert decide(made).results["DECISION"] == "rejected"
-    assert decision(decide(made)).endswith(f"; layers of seams {CHANGED}.")
-
-
 def test_copies_that_keep_the_seal_are_the_scan_s_and_exports_are_told_the_way(tmp_path: Path) -> None:
     path = file(seams([P] * 10), tmp_path / "seams.gpkg")
     copy, shape = str(tmp_path / "copy.gpkg"), str(tmp_path / "seams.shp")
