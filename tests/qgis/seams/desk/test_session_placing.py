@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsGeometry
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.seams.window_summary import shown_side
 from seam_inspector.plugin.toolkit.layers import system_wkt
-from seam_inspector.plugin.toolkit.translation import shown_metres
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.emptied import emptied_system
@@ -74,7 +74,7 @@ def test_a_place_of_a_scan_is_the_judged_window_that_holds_most_of_it(
     assert [desk.session.row(fid).window_id for fid in fids] == numbers  # type: ignore[union-attr]
     grid = desk.session.mosaic_grid()
     assert grid is not None
-    assert f", {shown_metres(places[0][2] * grid.ground_sample_distance)} m wide;" in desk.messages[-1]
+    assert f", {shown_side(places[0][2] * grid.ground_sample_distance)} m wide;" in desk.messages[-1]
 
 
 def test_no_window_is_drawn_where_the_mosaic_has_no_pixels(desk: Desk, tmp_path: Path) -> None:
