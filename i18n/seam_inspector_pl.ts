@@ -11048,7 +11048,7 @@
     <message>
         <location filename="../plugin/seams/desk/map/lost_detail.py" line="297"/>
         <source>Detail kept: reading ...</source>
-        <translation>Zachowany detal: wczytywanie ...</translation>
+        <translation>Zachowany detal: wczytywanie...</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="114"/>
@@ -11137,7 +11137,7 @@
     </message>
     <message>
         <source>the layer of failures with its folder of pictures</source>
-        <translation>warstwa usterek z jej folderem obrazków</translation>
+        <translation>warstwa usterek z jej katalogiem obrazków</translation>
     </message>
     <message>
         <source>the findings in bold</source>

@@ -88,23 +88,28 @@ class PixelBlock(NamedTuple):
 
     @property
     def invalid_share(self) -> float:
+        """Share of the pixels that are no measurements, 0 to 1."""
         return 0.0 if self.invalid is None else float(self.invalid.mean())
 
 
 class OpenRaster:
-    """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
+    """A raster that stays open as long as this lives, or until a ``with`` block of it ends; reading opens it again.
+    Meant for one thread: what crosses threads is a ``RasterRef``.
 
     All reads stay inside the raster, and raise RasterError when they fail. What comes over the network is asked for
     again, in a raster that is opened anew, before that.
     """
 
-    def __init__(self, ref: RasterRef | str, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
+    def __init__(
+        self, ref: RasterRef | str | os.PathLike[str], dataset: gdal.Dataset | None = None,
+        complex_values: bool = False,
+    ) -> None:
         """``ref``: where it is, or its path; ``dataset``: what was made of the raster in memory, instead of its file;
         ``complex_values`` may be welcome.
 
         Raises RasterError when it can't be opened or used.
         """
-        ref = RasterRef(ref) if isinstance(ref, str) else ref
+        ref = ref if isinstance(ref, RasterRef) else RasterRef(os.fspath(ref))
         self.ref, self.is_broken = ref, False
         self._is_remote = bool(remote_parts(ref.path))  # looked at once: a VRT may name thousands of files
         self.dataset: Any = dataset
@@ -118,6 +123,12 @@ class OpenRaster:
             raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
         self.columns, self.rows = opened.RasterXSize, opened.RasterYSize
         self.roles = band_roles(opened)
+
+    def __enter__(self) -> OpenRaster:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.dataset = None
 
     def _open(self) -> None:
         ref = self.ref

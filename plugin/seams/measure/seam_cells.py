@@ -68,7 +68,7 @@ def source_stem(name: str) -> str:
 
 def meant_sources(names: Iterable[str], images: Sequence[Sequence[str]]) -> dict[str, set[int]]:
     """For each name all places in ``images``, the paths of each, that it fits: whole file names, told apart by their
-    folders where the name has some; else the one image of which a file has it as a part, numbers from 3 digits on."""
+    folders where the name has some; else the one image of which a file has it as a part of its name."""
     by_stem: dict[str, set[int]] = {}
     parts: dict[str, set[int]] = {}
     files = [(path, image) for image, paths in enumerate(images) for path in paths]
@@ -83,7 +83,7 @@ def meant_sources(names: Iterable[str], images: Sequence[Sequence[str]]) -> dict
     for name in set(names):
         stem = source_stem(name)
         places = by_stem.get(stem, set())
-        if not places and not (stem.isdigit() and len(stem) < 3):
+        if not places:
             some = parts.get("_".join(_words(stem)), set())
             places = some if len({files[place][1] for place in some}) == 1 else set()
         name_folders = _folders(name)

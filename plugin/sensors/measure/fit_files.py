@@ -97,7 +97,9 @@ class ViewDirection(NamedTuple):
 
     @property
     def notice(self) -> Message:
-        return messages.VIEW_TOLD(**self._asdict())
+        return messages.VIEW_TOLD(
+            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=self.error, shift=self.shift
+        )
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain, error: float) -> ViewDirection | None:

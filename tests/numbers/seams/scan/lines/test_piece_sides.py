@@ -71,7 +71,6 @@ def test_names_that_mean_no_file_or_several_are_told() -> None:
     assert numbers == {"b": 2}
     assert missing.values == {"count": 3, "names": "19FD, A, a_2"}
     assert source_numbers(["a"], [])[1] is None
-    assert source_numbers(["16", "8"], images_of(["strip_8.tif", "strip_9.tif"]))[0] == {}
 
 
 def test_folders_tell_files_of_one_name_apart() -> None:
