@@ -290,7 +290,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        "place": place_words(defect.run.place).split(", "),
+        "place": [formatted(along, ".1f") for along in defect.run.place],
     }
 
 
@@ -311,7 +311,8 @@ def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
             decision.pieces[number].piece.length_m for number in run.pieces
             if decision.pieces[number].state is PieceState.FAILED
         )
-        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place_words(run.place)]
+        place = " ".join(formatted(along, ".1f") for along in run.place)
+        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place]
 
 
 def _pictures(

@@ -77,7 +77,8 @@ class _Checked:
 
     def _refuse(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        common.check_values(self, parameters, context)
+        common.check_values(self, self.for_check(parameters), context)
+        common.check_files(self, parameters)
         refuse_outputs(self, parameters, context)
         run = Run(self, parameters, context)
         run.check_endings()

@@ -225,13 +225,9 @@ def report(description: str, filters: str = "HTML (*.html)", by_default: bool = 
 def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
     """Raise SettingsError for words that are none of a choice and numbers beyond their limits, which QGIS refuses
     without saying why and models not at all, and for what QGIS lets pass: NaN, infinite numbers, whole ones that are
-    too large, words where a number may be left out, reference systems that there are not, and files that are a device
-    or a pipe: whoever opens one may wait for ever."""
+    too large, words where a number may be left out, and reference systems that there are not."""
     for definition in algorithm.parameterDefinitions():
         title, given = definition.description(), values.get(definition.name())
-        for path in () if definition.isDestination() else _paths(given):
-            if "\0" in path or is_endless(path):
-                raise SettingsError(imagery_messages.NO_FILE(name=os.path.basename(path)))
         is_text = isinstance(given, str) and bool(given.strip())
         is_system = is_text and isinstance(definition, QgsProcessingParameterCrs)
         if is_system and not algorithm.parameterAsCrs(values, definition.name(), context).isValid():
@@ -258,6 +254,14 @@ def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], cont
                 messages.NUMBER_TOO_SMALL(parameter=title, value=value, least=least) if is_open
                 else messages.NUMBER_BEYOND(parameter=title, value=value, least=least, most=most)
             )  # fmt: skip
+
+
+def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:
+    """Raise SettingsError for an input that is a device or a pipe: whoever opens one may wait for ever."""
+    for definition in algorithm.parameterDefinitions():
+        for path in () if definition.isDestination() else _paths(values.get(definition.name())):
+            if "\0" in path or is_endless(path):
+                raise SettingsError(imagery_messages.NO_FILE(name=os.path.basename(path)))
 
 
 def check_rasters(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:

@@ -56,7 +56,10 @@ def scan(desk: Desk) -> None:
         desk.wait(lambda: ends, 120, "the scan's end")
         desk.pause(1)
     gaps.note(desk.report, "scan")
-    desk.report["metres"], desk.report["failed"] = ends[0].seam_metres, ends[0].failed_metres
+    (seams,) = desk.project.mapLayersByName("Seams")
+    metres = [(row["length"], row["state"]) for row in seams.getFeatures()]
+    desk.report["metres"] = sum(length for length, _ in metres)
+    desk.report["failed"] = sum(length for length, state in metres if state == "failed")
     layers = desk.project.layerTreeRoot().findLayers()  # the topmost first
     desk.report["worst_count"], desk.report["layers"] = ends[0].worst_count, [node.name() for node in layers][:4]
 
