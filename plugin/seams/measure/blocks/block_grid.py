@@ -221,7 +221,7 @@ def units_along(seams: Iterable[SidedSeam], blocks: BlockGrid, beside_px: int = 
 def blocks_near(units: np.ndarray, blocks: BlockGrid, reach: float = 0.0) -> list[BlockKey]:
     """Blocks with any unit at most ``reach`` units from one of some, (rows, columns) bool of all blocks, row by row."""
     near, most = set[BlockKey](), int(reach // UNITS) + 1
-    for row, column in blocks:
+    for row, column in np.unique(np.argwhere(units) // UNITS, axis=0).tolist():
         held = np.argwhere(units[place_of((row, column), UNITS)])
         for down, across in product(range(-most, most + 1), repeat=2):
             first = UNITS * np.array([down, across])
