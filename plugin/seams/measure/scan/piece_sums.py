@@ -117,7 +117,8 @@ class LossRaster:
             dataset.FlushCache()
             for number in (np.flatnonzero(self._shown) + 1).tolist():
                 dataset.GetRasterBand(number).ComputeStatistics(False)
-            _write_overviews(dataset)
+            if self._shown.any():
+                _write_overviews(dataset)
             dataset.FlushCache()
             self._dataset = None
 
