@@ -150,7 +150,9 @@ class MosaicScans(QObject):
         self.changed.emit()
 
     def _leave_layers(self, ids: list[str]) -> None:
-        if self._mosaic in ids:
+        if len(ids) == self._project.count():  # a project that closes, which says so only after
+            self._forget()
+        elif self._mosaic in ids:
             self._mosaic = ""
             self.stop()
 
