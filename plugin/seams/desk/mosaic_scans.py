@@ -56,9 +56,7 @@ class MosaicScans(QObject):
         self.warnings: list[Message] = []  # about the scan, which are in the log, too
         self.news: ScanNews | None = None  # how far the scan is; None while there is none
         self._mosaic = ""  # the layer that is scanned, while it is there
-        self._connections = Connections(
-            (self._project.cleared, self._forget), (self._project.layersWillBeRemoved, self._leave_layers),
-        )
+        self._connections = Connections((self._project.layersWillBeRemoved, self._leave_layers))
 
     def why_not(self) -> str:
         """Why no scan can be started now; empty when one can."""
@@ -150,7 +148,7 @@ class MosaicScans(QObject):
         self.changed.emit()
 
     def _leave_layers(self, ids: list[str]) -> None:
-        if len(ids) == self._project.count():  # a project that closes, which says so only after
+        if len(ids) == self._project.count():  # the project closes, or there is nothing left to tell of
             self._forget()
         elif self._mosaic in ids:
             self._mosaic = ""
