@@ -110,8 +110,11 @@ def judge_piece(
     is_even = figures.grain <= MOST_GRAIN * white  # never where that is not known
     if profile is None:
         needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
-        short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
-        why: Message | None = short or messages.PIECE_NOT_MEASURED()
+        why: Message | None = messages.PIECE_NOT_MEASURED()
+        if piece.length_m < needed:
+            why = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed)
+        elif figures.strip.area_px < MIN_STRIP_PX:
+            why = messages.PIECE_NOT_COMPARED()
     # What little is left where detail was brushed away resembles no source.
     elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
         why = messages.COMPOSITE_UNCLEAR()
