@@ -11,7 +11,7 @@ from demo.delivery import SPOILT, Delivery
 from tests.made_once import the_delivery
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
-pytestmark = [pytest.mark.slow, NEEDED]
+pytestmark = [pytest.mark.slow, pytest.mark.release, NEEDED]
 
 CLOSE = 0.05  # tolerance, relative to what is known of the delivery
 
