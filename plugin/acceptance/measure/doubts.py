@@ -67,8 +67,7 @@ def lacking(
             yield messages.SOURCES_HOLD_MOSAIC(metres=metres, names=names), messages.WOULD_GIVE_ORIGINALS
     is_open = by_rules is AcceptanceOutcome.UNDECIDED
     yield from _without_orthoimages(delivery, whole, rules.limit(MEASURED_SHARE) or 0.0, is_open)
-    for reason in [*unseen_seams(delivery, whole, rules)][:1]:
-        yield reason, messages.WOULD_GIVE_SEAMS
+    yield from ((reason, messages.WOULD_GIVE_SEAMS) for reason in unseen_seams(delivery, whole, rules))
     yield from _not_looked_at(delivery, sheets, rules)
     for layer in delivery.layers:
         if unread := SeenGround((layer.settings,)).most("unread"):

@@ -108,10 +108,12 @@ SOURCES_LACK = Message(
 SEAMS_UNSEEN = Message(
     "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
     "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
-SEAMS_DIFFER = Message(
-    "{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along "
-    "{unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ",
-    INFO)
+SEAMS_UNCHANGED = Message(
+    "along {metres:.0f} of {judged:.0f} m of seam that are judged both sides show the same orthoimage, and {limit:.0%} "
+    "may", INFO)
+SEAMS_NOT_JUDGED = Message(
+    "beside {judged:.0f} m of seam that are judged the scan saw the mosaic change from one orthoimage to another along "
+    "{metres:.0f} m, the longest around {place}, and {limit:.0%} may lack", INFO)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO)
@@ -135,8 +137,8 @@ WOULD_MEASURE = Message(
     "would be measured.", WARNING)
 WOULD_GIVE_COVER = Message(
     "What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along "
-    "{metres:.0f} m, such as at {place}, pixels are missing, or those that were given do not explain the "
-    "mosaic; ask the producer for them.", WARNING)
+    "{metres:.0f} m, such as at {place}, pixels are missing or were changed, or those that were given do not explain "
+    "the mosaic; ask the producer for them.", WARNING)
 WOULD_LOOK_THERE = Message(
     "What would decide it: an operator's look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; "
     "whoever signs decides by that. A scan with longer pieces may not measure enough.", WARNING)
@@ -160,8 +162,8 @@ WOULD_PLACE = Message(
     "What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them "
     "have a wrong georeference.", WARNING)
 WOULD_GIVE_SEAMS = Message(
-    "What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all "
-    "seamlines, or with none.", WARNING)
+    "What would decide it: a scan with seamlines that lie wherever the mosaic changes from one orthoimage to another, "
+    "and nowhere else, or with none.", WARNING)
 WOULD_GIVE_LAYER = Message(
     "What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of "
     "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING)

@@ -83,9 +83,11 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
     unseen, unchanged, hidden = map(ground.total, ("unseen_metres", "unchanged_metres", "hidden_metres"))
     unseen_at = ground.place("unseen_at", "unseen_longest") or "-"
     if unseen + unchanged > MOST_APART * (whole.total_m + unseen):
-        yield messages.SEAMS_DIFFER(
-            judged=whole.total_m, unseen=unseen, unchanged=unchanged, limit=MOST_APART, place=unseen_at
-        )
+        figures = {"judged": whole.total_m, "limit": MOST_APART}
+        if unseen:
+            yield messages.SEAMS_NOT_JUDGED(metres=unseen, place=unseen_at, **figures)
+        if unchanged:
+            yield messages.SEAMS_UNCHANGED(metres=unchanged, **figures)
     run, longest = rules.rule(LONGEST_FAILURE), ground.most("unseen_longest")
     if run is not None and not run.passes(longest):
         yield messages.BORDER_WITHOUT_SEAM(metres=longest, limit=Stated(run.limit), place=unseen_at)

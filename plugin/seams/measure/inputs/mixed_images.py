@@ -30,7 +30,8 @@ from ..seamlines.seam_pieces import PieceIndex, SeamPiece, around_pieces
 _BANDS_PX = ((6, 24), (24, 48))  # from a seam, where sharpness is compared: far off it changes as a lens makes it
 _CELL_PX, _STATION_PX = 8, 64  # of sums, and along the seam: what lies farther apart is other ground
 _LEAST_ENERGY = 100.0  # <a, a> + <b, b> of a cell: rounding alone makes 8 of whole numbers
-_FEWEST = 8  # cells on either side of a piece, and stations of two orthoimages
+_FEWEST_CELLS = 8  # on either side of a piece
+_PLACE, _FEWEST = 6, 5  # stations that are looked at together, and of them those with detail on both sides
 LEAST_MIXED = 0.2
 """t / (1 - t) at the lower end of its 95 % interval. Honest pairs have 0.15 at most (Brighton, PackO, a photograph with
 other noise; lossless, JPEG 60 to 90, resampled)."""
@@ -72,25 +73,27 @@ def mixed_images(
 
 
 def _mixed(energies: np.ndarray) -> float:
-    """How much of the mosaic two orthoimages hold, by their ``_energies`` beside all pieces between them."""
-    share, differing = 0.0, []
-    for band in energies:
-        band = band[band[..., :2].all(axis=(1, 2))]
-        if len(band) < _FEWEST:
-            continue
-        (aa, bb, _), (other_aa, other_bb, _) = band.sum(axis=0)
-        gain = (aa * other_aa / (bb * other_bb)) ** 0.25  # both as sharp over both sides
-        aa, bb, ab = np.moveaxis(band, 2, 0) / np.array([gain, 1 / gain, 1])[:, np.newaxis, np.newaxis]
-        differing += ((aa + bb - 2 * ab).sum(axis=0) / (aa + bb).sum(axis=0)).tolist()
-        lost, apart = (aa - bb) @ [1, -1], (aa + bb - 2 * ab).sum(axis=1)
-        ratio = lost.sum() / max(apart.sum(), np.finfo(float).tiny)
-        within = NORMAL_95 * math.hypot(*(lost - ratio * apart)) / max(apart.sum(), np.finfo(float).tiny)
-        mixed = ratio / (1 + ratio)
-        most = 2 * (1 - mixed) ** 2 / (1 + (1 - mixed) ** 2 + mixed**2)  # it leaves of images that are nothing alike
-        if ratio - within > LEAST_MIXED and apart.sum() < (most + _MORE_APART) * (aa + bb).sum():
-            share = max(share, float(mixed))
-    if not share and differing and min(differing) < max(LEAST_APART, LEAST_OF_APART * max(differing)):
-        return 1.0
+    """How much of the mosaic two orthoimages hold somewhere, by their ``_energies`` beside all pieces between them."""
+    (aa, bb), (other_aa, other_bb) = np.moveaxis(energies.sum(axis=1), 0, -1)[:, :2]
+    gains = (aa * other_aa / np.maximum(bb * other_bb, np.finfo(float).tiny)) ** 0.25  # both as sharp over both sides
+    share, stations = 0.0, energies.shape[1]
+    for first in range(0, max(stations - _PLACE, 0) + _PLACE // 3, _PLACE // 3):
+        differing = []
+        for band, gain in zip(energies[:, first : first + _PLACE], gains):
+            band = band[band[..., :2].all(axis=(1, 2))]
+            if len(band) < _FEWEST:
+                continue
+            aa, bb, ab = np.moveaxis(band, 2, 0) / np.array([gain, 1 / gain, 1])[:, np.newaxis, np.newaxis]
+            differing += ((aa + bb - 2 * ab).sum(axis=0) / (aa + bb).sum(axis=0)).tolist()
+            lost, apart = (aa - bb) @ [1, -1], (aa + bb - 2 * ab).sum(axis=1)
+            ratio = lost.sum() / max(apart.sum(), np.finfo(float).tiny)
+            within = NORMAL_95 * math.hypot(*(lost - ratio * apart)) / max(apart.sum(), np.finfo(float).tiny)
+            mixed = ratio / (1 + ratio)
+            most = 2 * (1 - mixed) ** 2 / (1 + (1 - mixed) ** 2 + mixed**2)  # it leaves of images that are nothing alike
+            if ratio - within > LEAST_MIXED and apart.sum() < (most + _MORE_APART) * (aa + bb).sum():
+                share = max(share, float(mixed))
+        if not share and differing and min(differing) < max(LEAST_APART, LEAST_OF_APART * max(differing)):
+            share = 1.0
     return share
 
 
@@ -114,7 +117,7 @@ def _energies(clips: Sequence[Clip], around: PixelWindow, piece: SeamPiece, grid
         is_used = is_within & (near <= beside.distance_px) & (beside.distance_px < far)
         is_used &= energy[:, :2].sum(axis=1) > _LEAST_ENERGY
         is_right, used = ~beside.on_left[is_used], energy[is_used]
-        if min(np.count_nonzero(is_right), np.count_nonzero(~is_right)) >= _FEWEST:
+        if min(np.count_nonzero(is_right), np.count_nonzero(~is_right)) >= _FEWEST_CELLS:
             weight = 1 / (used[:, :2].sum(axis=1) + used[:, :2].mean() / 2 + np.finfo(float).tiny)
             place = (station_m[is_used] / station_px).astype(int), is_right.astype(int)
             np.add.at(band, place, used * weight[:, np.newaxis])

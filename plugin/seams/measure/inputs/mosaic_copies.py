@@ -45,6 +45,7 @@ LEAST_EXPLAINED = 0.9
 MOST_ELSEWHERE = 0.15  # of the places, that a thing of others may be unlike them, as where one of them is not given
 FEWEST_EXPLAINED = 8  # places
 MOST_OTHERS = 6  # images that explain one at a place, those most alike
+MOST_FOLLOWED = 0.2  # of the places, where the mosaic is likest to a thing of others: feathers of 64 px and more
 LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that is given twice hides nothing
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
 
@@ -190,18 +191,22 @@ class _Comparison:
 
     def sharpness(self, number: int, others: Collection[int]) -> float | None:
         """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
-        it; None for one that shows what they don't."""
+        it; None for one that shows what they don't, or that the mosaic was made from."""
         places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
-        detail, alone, missed = [], Counter[int](), 0
+        detail, alone, missed, likest_of_all = [], Counter[int](), 0, 0
         for k in places:
             patch = self._patch(number, k)
             if patch is None:
                 continue
-            coarse = patch.averaged(AVERAGED_PX)
+            coarse, shown = patch.averaged(AVERAGED_PX), self._places[k][1]
             seen = {n: other for n in sorted(self._over[k] & {*others}) if (other := self._patch(n, k)) is not None}
             averaged = {n: other.averaged(AVERAGED_PX) for n, other in seen.items()}
             lacking = {n: _lacking(coarse, other) for n, other in averaged.items()}
             likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])[:MOST_OTHERS]
+            theirs = [lacks for other in seen.values() if not np.isnan(lacks := _lacking(shown, other))]
+            likest_of_all += _lacking(shown, patch) < min(theirs, default=1.0)
+            if likest_of_all > MOST_FOLLOWED * len(places):
+                return None
             explained = _explained(coarse, [averaged[n] for n in likest]) if likest else np.nan
             missed += explained < LEAST_EXPLAINED
             if missed > MOST_ELSEWHERE * len(places):

@@ -27,12 +27,15 @@ def exposures(alike: float) -> list[np.ndarray]:
     return [128 + coarse + alike**0.5 * shared + (1 - alike) ** 0.5 * other for other in others]
 
 
-def mixed_into(images: list[np.ndarray], share: float, feather_px: int, band_px: float) -> list[np.ndarray]:
-    """The images with so much of their mosaic within a band along its seam."""
+def mixed_into(
+    images: list[np.ndarray], share: float, feather_px: int, band_px: float, length_px: int = COLUMNS
+) -> list[np.ndarray]:
+    """The images with so much of their mosaic within a band along its seam, or the first pixels of that."""
     from_seam = np.arange(ROWS)[:, np.newaxis] + 0.5 - ROWS / 2
     below = np.clip(from_seam / max(feather_px, 0.01) + 0.5, 0, 1)
     mosaic = (1 - below) * images[0] + below * images[1]
-    return [np.where(abs(from_seam) < band_px, (1 - share) * image + share * mosaic, image) for image in images]
+    is_mixed = (abs(from_seam) < band_px) & (np.arange(COLUMNS) < length_px)
+    return [np.where(is_mixed, (1 - share) * image + share * mosaic, image) for image in images]
 
 
 def told_of(folder: Path, images: list[np.ndarray]) -> tuple[str, dict[str, str]]:
@@ -76,6 +79,18 @@ def test_the_mosaic_in_orthoimages_is_told_with_its_share(
 def test_orthoimages_that_are_the_mosaic_along_a_seam_hold_all_of_it(tmp_path: Path, band_px: int) -> None:
     words, _ = told_of(tmp_path, mixed_into(exposures(0.5), 1.0, 30, band_px))
     assert "up to 100 % of the mosaic" in words
+
+
+@pytest.mark.parametrize(("share", "both", "percent"), [(0.5, True, 50), (1.0, False, 100)])
+def test_a_place_of_forty_metres_along_a_seam_of_a_hundred_is_enough(
+    tmp_path: Path, share: float, both: bool, percent: float
+) -> None:
+    """Also in one of the two alone."""
+    first, second = exposures(0.3)
+    mixed = mixed_into([first, second], share, 33, 40, 450)
+    words, notes = told_of(tmp_path, mixed if both else [first, mixed[1]])
+    assert notes["mixed_sources"] == "lower.tif, upper.tif"
+    assert float(words.partition("up to ")[2].partition(" %")[0]) == pytest.approx(percent, rel=0.4)
 
 
 def test_a_scan_tells_of_orthoimages_that_hold_the_mosaic(tmp_path: Path) -> None:

@@ -118,6 +118,17 @@ def test_a_blurred_mosaic_and_a_mean_of_orthoimages_are_told_and_an_image_given_
         assert notices == ({} if name == "twice" else {f"{name}.tif": messages.MADE_OF_OTHERS.template})
 
 
+def test_a_softer_orthoimage_that_its_neighbours_show_as_well_is_none_of_their_making(make_raster: MakeRaster) -> None:
+    """The inner image of a block, a pixel off its neighbours, which shows in the mosaic what is its alone: noise."""
+    rng, ground = np.random.default_rng(3), orthoimage((SIDE, SIDE), seed=4).astype(float)
+    moved = [np.roll(ground, pixels, 1) for pixels in range(3)]
+    moved[1] = ndimage.gaussian_filter(moved[1], (0, 0.7, 0.7))
+    images = [np.clip(np.rint(image + rng.normal(0, 1.5, image.shape)), 1, 255) for image in moved]
+    mosaic = np.choose(np.arange(SIDE) // 342, images)
+    a, b, c, whole = (make_raster(f"{name}.tif", data.astype(np.uint8)) for name, data in zip("abcm", [*images, mosaic]))
+    assert told(whole, [a, b, c]) == (["a.tif", "b.tif", "c.tif"], {})
+
+
 @pytest.fixture
 def triplet(make_raster: MakeRaster) -> dict[str, str]:
     """Three images of one satellite's pass, alike everywhere, and the mosaic of the first two."""
