@@ -18,9 +18,9 @@ import numpy as np
 from osgeo import ogr
 from scipy.spatial import cKDTree
 
-from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamsElsewhereError
 from ....imagery.file_identity import known_states, states_text
+from ....imagery.grids import shared_extent
 from ....imagery.lines import points_along
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
@@ -36,7 +36,7 @@ from ..profile.cell_table import CELL_PX
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, SidedSeam, around_pieces, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, rectangle, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
 from . import piece_sums, scan_result
@@ -370,13 +370,6 @@ def scan(
             whole.finish()
     result = result if block.sheet is None else _of_sheet(result, block.sheet, len(block.mosaic.ref.parts))
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
-
-
-def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
-    """A rectangle as a polygon."""
-    return ogr.CreateGeometryFromWkt(
-        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
-    )
 
 
 def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:
