@@ -24,7 +24,7 @@ from ....imagery.lines import points_at, vertex_stations
 from ....imagery.raster_writer import GEOTIFF, whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import RecordFiles
-from ....imagery.seam_totals import KeptBeside, profile_text
+from ....imagery.seam_totals import TOTALS_DOMAIN, KeptBeside, profile_text
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED, BlockScan
 from ..following.boxes import in_squares
@@ -42,7 +42,6 @@ from .scan_result import PieceFigures
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
 NODATA = -1.0  # all that is shown is 0 or more
-SETTINGS_DOMAIN = "SEAM_INSPECTOR"
 SOURCE_BAND = BANDS.index("source") + 1  # as GDAL counts
 
 
@@ -109,10 +108,10 @@ class LossRaster:
 
     def close(self, names: Sequence[str], settings: Mapping[str, str]) -> None:
         """Overviews, statistics and the names of the sources, which their numbers from 1 on mean; ``settings``: how it
-        was measured, which goes along with it as metadata of ``SETTINGS_DOMAIN``."""
+        was measured, which goes along with it as metadata of ``TOTALS_DOMAIN``."""
         with gdal_writing(self._failure):
             dataset = self._dataset
-            dataset.SetMetadata({**settings}, SETTINGS_DOMAIN)
+            dataset.SetMetadata({**settings}, TOTALS_DOMAIN)
             dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
             dataset.FlushCache()
             for number in (np.flatnonzero(self._shown) + 1).tolist():
