@@ -177,7 +177,8 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
     winner, lead = highest(near)
     if len(sources) > 1:
         winner = np.where(lead < MIN_WINNER_LEAD, highest(wide)[0], winner)  # else a wider neighbourhood decides
-        winner = _without_specks(winner, len(sources))
+        # Each cell follows the majority of its 3 x 3 neighbours.
+        winner = highest([box_means(winner == i, (3,), mirrored=True)[0] for i in range(len(sources))])[0]
     mixed, explained = _mixtures(sources, mosaic_energy, energies, shared, winner)
     best = np.take_along_axis(np.stack(near), winner[np.newaxis], axis=0)[0]
     textured = mosaic_energy > LEAST_ENERGY * FINE_CELL_PX**2
@@ -226,11 +227,6 @@ def _correlations(
 def _around(products: np.ndarray) -> list[np.ndarray]:
     """Means over the near and the wide squares of cells."""
     return box_means(products, (NEAR_CELLS, WIDE_CELLS), mirrored=True)
-
-
-def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:
-    """Each cell follows the majority of its 3 x 3 neighbours."""
-    return highest([box_means(winner == i, (3,), mirrored=True)[0] for i in range(count)])[0]
 
 
 def _mixtures(
