@@ -12,7 +12,7 @@ from ...toolkit.charts.chart_painter import ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
 from ..measure.profile.cell_table import EDGES_PX
-from ..measure.profile.seam_profile import Measure, ProfileBin, SeamProfile
+from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import ProfileRecord, WindowRecord
 
 FARTHEST_PX = 400.0
@@ -130,7 +130,7 @@ def summary_words(shown: ShownProfile) -> str:
         shown.window_m, profile,
     )
     text = tr("{kept} % kept ({low} to {high} %)")
-    if shown.ground_left < 1 and profile.measure is Measure.ENERGY:
+    if shown.ground_left < 1 and profile.is_of_the_ground:
         text = tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages")
     elif profile.high < 1 and width:
         text = tr("{kept} % kept ({low} to {high} %) in {width} m")

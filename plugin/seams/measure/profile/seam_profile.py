@@ -108,6 +108,11 @@ class SeamProfile:
         the seam lost may be lost in them as well."""
         return self.apart < MIN_APART
 
+    @property
+    def is_of_the_ground(self) -> bool:
+        """Whether ``kept`` is a share of what the ground around has, and no mixture took part in it."""
+        return self.measure is Measure.ENERGY
+
 
 def strip_bins(level: int) -> slice:
     """Bins of the strip beside the seam."""
