@@ -16,7 +16,7 @@ from ...imagery.errors import printable
 from ...toolkit.charts.chart_painter import PT, ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle, decade_ticks, round_below, source_look
 from ...toolkit.translation import filled, formatted, tr
-from ..measure.window_records import COMPOSITE
+from ..measure.window_records import COMPOSITE, REFERENCES
 
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
@@ -75,7 +75,7 @@ def share_range(chart: Chart) -> tuple[float, float]:
     return round_below(lowest), 1.25
 
 
-def window_curves(result: WindowResult, band: str, reference: str) -> list[ChartCurve]:
+def window_curves(result: WindowResult, band: str, reference: str = REFERENCES[0]) -> list[ChartCurve]:
     """The curves of one window and band, the mosaic's first, the sources' composite last.
 
     ``reference``: what the verdict is taken against, as in ``InspectionSettings``.
