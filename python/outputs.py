@@ -9,7 +9,6 @@ from ..plugin.imagery.file_identity import check_can_be_written, refuse_overwrit
 from ..plugin.imagery.gdal_paths import FEATURES, RASTERS, open_dataset
 from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
 from ..plugin.seams.measure.mending.mending import MENDED_DOMAIN
-from ..plugin.seams.measure.scan.piece_sums import SETTINGS_DOMAIN
 from . import messages
 
 SEAMS, CELLS, WORST = "seams", "source_cells", "worst_windows"
@@ -19,7 +18,7 @@ GEOPACKAGE, GEOTIFF, PAGE, TABLE, VRT = (".gpkg",), (".tif", ".tiff"), (".html",
 MADE_BY = "<title>Seam Inspector"
 _BEGINS = {PAGE: MADE_BY, TABLE: "window_id,"}  # what is in the first bytes of such a file
 _BEGIN_BYTES = 1024
-_DOMAINS = {GEOTIFF: SETTINGS_DOMAIN, VRT: MENDED_DOMAIN}  # metadata domain that each kind of raster has
+_DOMAINS = {GEOTIFF: TOTALS_DOMAIN, VRT: MENDED_DOMAIN}  # metadata domain that each kind of raster has
 
 
 def check_writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable[str]) -> None:

@@ -21,7 +21,7 @@ from ..plugin.imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
 from ..plugin.imagery.seam_totals import MOSAIC_FILES, TOTALS_DOMAIN
 from ..plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
 from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes, seam_rows
-from ..plugin.seams.measure.scan.whole_scan import rectangle
+from ..plugin.seams.measure.seamlines.seam_tracing import rectangle
 from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
 from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, check_writing

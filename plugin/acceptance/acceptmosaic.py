@@ -34,7 +34,7 @@ FAILED_METRES, FAILED_SHARE, LONGEST_FAILURE = "FAILED_METRES", "FAILED_SHARE", 
 
 
 class AcceptMosaic(SeamInspectorAlgorithm):
-    """Whether a delivery is accepted, and what goes back."""
+    """Whether a delivery is accepted, and what goes back. The provider has its subclass with proof from orthoimages."""
 
     ID = "acceptmosaic"
     NAME = QT_TR_NOOP("Accept or reject a delivery")

@@ -13,26 +13,25 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, sentence, tr
-from .measure import acceptance_rules as limits
-from .measure import messages
+from .measure import acceptance_rules, messages
 from .measure.sampling_plans import AQLS, DEFAULT_LEVEL, DEFAULT_LQ, INSPECTION_LEVELS, LIMITING_QUALITIES, word_of
 
 READY_RULES, RULES = "READY_RULES", "RULES"
 MIN_KEPT, MAX_SHARE, MAX_RUN, MIN_MEASURED = "MIN_KEPT", "MAX_SHARE", "MAX_RUN", "MIN_MEASURED"
 PLAN, AQL, LQ, INSPECTION_LEVEL = "PLAN", "AQL", "LQ", "INSPECTION_LEVEL"
 ALL, ISO2859, ISOLATED = "all", "iso2859", "iso2859_2"
-QUALITIES = {AQL: (AQLS, limits.STANDARD_AQL), LQ: (LIMITING_QUALITIES, DEFAULT_LQ)}
+QUALITIES = {AQL: (AQLS, acceptance_rules.STANDARD_AQL), LQ: (LIMITING_QUALITIES, DEFAULT_LQ)}
 """What the standards have of each, and what is taken where none is given."""
 LIMITS = {
-    MIN_KEPT: limits.STANDARD_KEPT,
-    MAX_SHARE: 100 * limits.STANDARD_FAILED_SHARE,
-    MAX_RUN: limits.STANDARD_LONGEST_M,
-    MIN_MEASURED: 100 * limits.STANDARD_MEASURED_SHARE,
+    MIN_KEPT: acceptance_rules.STANDARD_KEPT,
+    MAX_SHARE: 100 * acceptance_rules.STANDARD_FAILED_SHARE,
+    MAX_RUN: acceptance_rules.STANDARD_LONGEST_M,
+    MIN_MEASURED: 100 * acceptance_rules.STANDARD_MEASURED_SHARE,
 }
 """What parameters that are numbers hold when nobody changes them."""
 MOST = {MIN_KEPT: 1.0, MAX_SHARE: 100.0, MAX_RUN: None, MIN_MEASURED: 100.0}
 DEFAULTS: dict[str, object] = {
-    **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL
+    **LIMITS, PLAN: ALL, AQL: acceptance_rules.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL
 }
 
 _ORIGINS = {
@@ -44,7 +43,7 @@ _ORIGINS = {
 """Origins of the defaults: docs/acceptance/rules.md."""
 
 
-def stated_rules(run: Run) -> limits.AcceptanceRules:
+def stated_rules(run: Run) -> acceptance_rules.AcceptanceRules:
     """Raises SettingsError for limits that can't be, and for a parameter beside rules that are given."""
     given: dict[str, Any] = {
         **{name: run.real(name) for name in LIMITS}, **{name: standard_quality(run, name) for name in QUALITIES},
@@ -59,7 +58,7 @@ def stated_rules(run: Run) -> limits.AcceptanceRules:
     for parameter, value in given.items():
         if value != DEFAULTS[parameter]:
             raise SettingsError(messages.RULES_AND_PARAMETER(parameter=parameter, value=value, name=name))
-    return read_rules(Path(path) if path else ready_rules("acceptance")[ready], limits.rules_of_objects, tr)
+    return read_rules(Path(path) if path else ready_rules("acceptance")[ready], acceptance_rules.rules_of_objects, tr)
 
 
 def standard_quality(run: Run, name: str) -> str:
@@ -68,13 +67,13 @@ def standard_quality(run: Run, name: str) -> str:
     return word_of(run.raster_value(name), known) or usual
 
 
-def sampling_rule(run: Run, source: str = "") -> limits.SamplingRule | None:
+def sampling_rule(run: Run, source: str = "") -> acceptance_rules.SamplingRule | None:
     """The plan of a standard that a run asks for; None where it asks for none."""
     plan = run.word(PLAN)
     if plan == ISOLATED:
-        return limits.SamplingRule("", "", source, standard_quality(run, LQ))
+        return acceptance_rules.SamplingRule("", "", source, standard_quality(run, LQ))
     level = run.word(INSPECTION_LEVEL)
-    return limits.SamplingRule(standard_quality(run, AQL), level, source) if plan == ISO2859 else None
+    return acceptance_rules.SamplingRule(standard_quality(run, AQL), level, source) if plan == ISO2859 else None
 
 
 def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
@@ -83,7 +82,7 @@ def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
     return {**parameters, **{name: word for name, word in words.items() if word is not None}}
 
 
-def _of_parameters(run: Run, given: dict[str, Any]) -> limits.AcceptanceRules:
+def _of_parameters(run: Run, given: dict[str, Any]) -> acceptance_rules.AcceptanceRules:
     def source(name: str) -> str:
         if given[name] != DEFAULTS[name]:
             return filled(tr("stated for this decision ({parameter})"), parameter=name)
@@ -92,13 +91,13 @@ def _of_parameters(run: Run, given: dict[str, Any]) -> limits.AcceptanceRules:
 
     sampling = None if given[PLAN] == ALL else sampling_rule(run, source(PLAN))
     kept, most, run_m, least = (given[name] for name in LIMITS)
-    rules = limits.limit_rules(kept, most / 100, run_m, least / 100)
+    rules = acceptance_rules.limit_rules(kept, most / 100, run_m, least / 100)
     ruled = tuple(
         replace(rule, source=source(name)) for rule, name in zip(rules.rules, (MAX_SHARE, MAX_RUN, MIN_MEASURED))
         if sampling is None or name == MIN_MEASURED
     )
     rules = replace(rules, kept_source=source(MIN_KEPT), rules=ruled, sampling=sampling)
-    return replace(rules, name=sentence(limits.limits_in_words(rules)))
+    return replace(rules, name=sentence(acceptance_rules.limits_in_words(rules)))
 
 
 LOT_SIZE, SEED = "LOT_SIZE", "SEED"
@@ -110,7 +109,7 @@ def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
         "How many pieces of seam the whole lot has; 0: as many as the layers hold."
     ))
     algorithm.addDescribed(
-        common.choice(AQL, tr("Acceptance quality limit (AQL)"), AQLS, limits.STANDARD_AQL),
+        common.choice(AQL, tr("Acceptance quality limit (AQL)"), AQLS, acceptance_rules.STANDARD_AQL),
         tr("The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1."),
     )
     algorithm.addDescribed(common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ), tr(
@@ -121,6 +120,6 @@ def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
         common.choice(INSPECTION_LEVEL, tr("Inspection level"), INSPECTION_LEVELS, DEFAULT_LEVEL),
         tr("How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest."),
     )
-    algorithm.addDescribed(common.whole(SEED, tr("Seed"), limits.STANDARD_SEED, 0, _LARGEST_SEED), tr(
+    algorithm.addDescribed(common.whole(SEED, tr("Seed"), acceptance_rules.STANDARD_SEED, 0, _LARGEST_SEED), tr(
         "Starts the random draw: the same seed draws the same sample again."
     ), advanced=True)

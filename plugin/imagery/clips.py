@@ -41,18 +41,6 @@ def extent_on_image(extent: Extent, wkt: str, image: Raster) -> Extent | None:
         return None
 
 
-def covered_share(extent: Extent, other: Extent) -> float:
-    """How much of an extent another one covers; 0 where it has no area, as where its pixels are smaller than
-    coordinates can tell apart."""
-    shared, whole = shared_extent(extent, other), (extent[2] - extent[0]) * (extent[3] - extent[1])
-    return (shared[2] - shared[0]) * (shared[3] - shared[1]) / whole if shared is not None and whole > 0 else 0.0
-
-
-def shared_extent(a: Extent, b: Extent) -> Extent | None:
-    xmin, ymin, xmax, ymax = max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
-    return (xmin, ymin, xmax, ymax) if xmin < xmax and ymin < ymax else None
-
-
 MAX_MISSING_SHARE = 0.995  # of the window: a source that covers less of it can't be told from others there
 HOLE_PX = 8  # side of a square without pixels that is a hole
 PAD_PX = 64

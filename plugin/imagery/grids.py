@@ -191,3 +191,15 @@ def middle_of(extent: Extent) -> tuple[float, float]:
 def extents_meet(first: Extent, second: Extent) -> bool:
     """Whether two rectangles share more than a border."""
     return first[0] < second[2] and first[2] > second[0] and first[1] < second[3] and first[3] > second[1]
+
+
+def covered_share(extent: Extent, other: Extent) -> float:
+    """How much of an extent another one covers; 0 where it has no area, as where its pixels are smaller than
+    coordinates can tell apart."""
+    shared, whole = shared_extent(extent, other), (extent[2] - extent[0]) * (extent[3] - extent[1])
+    return (shared[2] - shared[0]) * (shared[3] - shared[1]) / whole if shared is not None and whole > 0 else 0.0
+
+
+def shared_extent(a: Extent, b: Extent) -> Extent | None:
+    xmin, ymin, xmax, ymax = max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
+    return (xmin, ymin, xmax, ymax) if xmin < xmax and ymin < ymax else None

@@ -21,9 +21,9 @@ from qgis.core import (
 )
 
 from ..imagery import messages as imagery_messages
-from ..imagery.clips import DrawnWindow, covered_share, extent_on_image
+from ..imagery.clips import DrawnWindow, extent_on_image
 from ..imagery.errors import CancelledError, Message, SeamInspectorError, WindowError
-from ..imagery.grids import PixelWindow, snap_window
+from ..imagery.grids import PixelWindow, covered_share, snap_window
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
 from ..imagery.records import Column

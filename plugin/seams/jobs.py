@@ -164,7 +164,7 @@ def _workers() -> int:
 
 
 def _measured(scan: WholeScan, cancelled: Cancelled) -> Iterator[ScanNews]:
-    """All blocks."""
+    """News while all blocks are measured."""
     workers = _workers()
     share, told_at = 0.0, 0.0
     sentences: set[str] = set()

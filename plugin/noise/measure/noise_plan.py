@@ -9,9 +9,9 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.clips import DrawnWindow, covered_share, extent_on_image, shared_extent
+from ...imagery.clips import DrawnWindow, extent_on_image
 from ...imagery.errors import Message, RasterError, WindowError
-from ...imagery.grids import Extent, PixelWindow, snap_window
+from ...imagery.grids import Extent, PixelWindow, covered_share, shared_extent, snap_window
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from . import messages

@@ -100,8 +100,8 @@ class ProfilesPainter(ChartPainter):
 class BarProfile(QWidget):
     """Shows the profiles of the line that is drawn."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._readings: Mapping[str, BarReading] = {}
         self._criterion = 0.0
         line = self.fontMetrics().height()

@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from ..measure.window.inspection import Block
 
 
-_TOLD_EVERY_S = 10.0
-"""How long the rest of a job will take."""
+_TOLD_EVERY_S = 10.0  # from one word on how long the rest of a job will take to the next
 
 
 @dataclass(frozen=True)

@@ -98,7 +98,7 @@ class ScanMosaic(BlockAlgorithm):
     def check(self, run: Run) -> None:
         self._settings(run).check()
         run.mosaic()
-        check_tiff(self._loss(run))
+        check_tiff(self._picture(run))
         if not run.parameters.get(SEAMLINES) and not _names_sources(run):
             raise SettingsError(messages.NEITHER_SOURCES_NOR_SEAMS())
 
@@ -114,17 +114,17 @@ class ScanMosaic(BlockAlgorithm):
         given = self._given_seams(run, crs, [source.ref.path for source in sources])
         request, notices = scan_request(mosaic, sources, settings, given)
         run.tell(*notices)
-        loss = self._loss(run)
-        check_tiff(loss)
-        with self._place(run) as place, whole_scan(request, place) as scan:
+        picture = self._picture(run)
+        check_tiff(picture)
+        with self._journal_beside(run) as output, whole_scan(request, output) as scan:
             if scan.notice is not None:
                 run.tell(scan.notice)
-            result = self._scanned(run, scan, loss)
+            result = self._scanned(run, scan, picture)
             run.tell(*result.notices)
             run.feedback.pushInfo(sentence(scan_layers.scan_finding(result.pieces)))
-            results = {LOSS: loss or None, **self._write(run, result, request)}
+            results = {LOSS: picture or None, **self._write(run, result, request)}
             scan.finish()
-        run.style(loss, "loss")
+        run.style(picture, "loss")
         return {
             **results,
             SEAM_METRES: result.seam_metres, FAILED_METRES: result.failed_metres, WORST_KEPT: result.worst_kept,
@@ -152,7 +152,7 @@ class ScanMosaic(BlockAlgorithm):
         features, _ = given_features(run, SEAMLINES, crs)
         return given_seams(features, self._mosaic.grid, self._settings(run).source_field, paths)
 
-    def _scanned(self, run: Run, scan: WholeScan, loss: str) -> ScanResult:
+    def _scanned(self, run: Run, scan: WholeScan, picture: str) -> ScanResult:
         """What all blocks tell. Raises CancelledError where nobody wants it any more."""
         from ...toolkit.executors import open_executor
         from ..measure.scan.whole_scan import MEASURED
@@ -161,7 +161,7 @@ class ScanMosaic(BlockAlgorithm):
         with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as crew:
             workers = Workers(*crew, run.is_cancelled, run.progress)
             follow_steps(run, scan.steps(workers), MEASURED)
-            result = None if run.is_cancelled() else scan.result(loss, workers.part(MEASURED))
+            result = None if run.is_cancelled() else scan.result(picture, workers.part(MEASURED))
         if result is None:
             raise CancelledError(messages.STOPPED())
         return result
@@ -200,13 +200,13 @@ class ScanMosaic(BlockAlgorithm):
         )
 
     @staticmethod
-    def _loss(run: Run) -> str:
+    def _picture(run: Run) -> str:
         """The picture's file, empty where none is wanted."""
         return run.layer_path(LOSS) if run.parameters.get(LOSS) else ""
 
     @staticmethod
     @contextmanager
-    def _place(run: Run) -> Iterator[Path]:
+    def _journal_beside(run: Run) -> Iterator[Path]:
         """What the journal lies beside: the first output that is a file of a name."""
         for name in (LOSS, SEAMS, CELLS, WORST):
             output = output_text(run.parameters.get(name), run.context)

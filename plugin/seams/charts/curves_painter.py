@@ -78,7 +78,7 @@ def share_range(chart: Chart) -> tuple[float, float]:
 def window_curves(result: WindowResult, band: str, reference: str = REFERENCES[0]) -> list[ChartCurve]:
     """The curves of one window and band, the mosaic's first, the sources' composite last.
 
-    ``reference``: what the verdict is taken against, as in ``Settings``.
+    ``reference``: what the verdict is taken against, as in ``InspectionSettings``.
     """
     curves = []
     seen: Counter[str] = Counter()

@@ -1,9 +1,9 @@
 """The chart of a seam profile: kept detail against the distance from the seam, and what is said of it."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import floor, inf, isfinite, isinf, log10
-from typing import TYPE_CHECKING
+from math import floor, inf, isfinite, isinf, log10, nan
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
@@ -11,9 +11,9 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 from ...toolkit.charts.chart_painter import ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
-
-if TYPE_CHECKING:
-    from ..measure.profile.seam_profile import ProfileBin, SeamProfile
+from ..measure.profile.cell_table import EDGES_PX
+from ..measure.profile.seam_profile import ProfileBin, SeamProfile
+from ..measure.window_records import ProfileRecord, WindowRecord
 
 FARTHEST_PX = 400.0
 """The end that the last bin, which has none, is drawn with."""
@@ -25,6 +25,7 @@ _NARROW = 0.6  # of the axis: words of the mixture's line may take so much of it
 _WORDS_AT = 0.375  # between two lines of shares: farther off no feather has as much
 _ROOMY_LINES = 13  # of the font: a lower chart has no title below its axis
 _HIGH_LINES = 7  # of the font: axes that are higher have a line at every quarter, others at halves
+_SAME_PLACE = 0.05  # relative: a distance that is so near to a bin's middle is that bin's
 
 
 @dataclass(frozen=True)
@@ -58,6 +59,42 @@ class ShownProfile:
         """The main level's bin at a distance from the seam; None where nothing was measured."""
         away = distance_m / self.pixel_m
         return next((bin_ for bin_ in self.bins(self.main_level) if bin_.near_px <= away < bin_.far_px), None)
+
+
+def shown_profile(
+    record: WindowRecord, rows: Sequence[ProfileRecord], pixel_m: float | None, min_kept: float
+) -> ShownProfile | None:
+    """The profile of a window from its rows; None where they tell nothing.
+
+    ``pixel_m``: the mosaic's pixel size; where it is not known, the first distance is the middle of the first bin.
+    """
+    known = [row for row in rows if isfinite(row.kept) and isfinite(row.distance) and row.distance > 0]
+    known.sort(key=lambda row: (row.level, row.distance))
+    if not known:
+        return None
+    pixel_m = pixel_m or known[0].distance / _middles()[0][0]
+    bins = [bin_ for row in known if (bin_ := _bin_of(row, pixel_m)) is not None]
+    if not bins:
+        return None
+    width_px, feather_px = ((width or 0.0) / pixel_m for width in (record.band_width, record.feather_width))
+    low, high = (nan if end is None else end for end in (record.kept_low, record.kept_high))
+    profile = SeamProfile(record.kept, low, high, width_px, 0.0, tuple(bins), feather_px)
+    return ShownProfile(profile, pixel_m, min_kept, frozenset(bin_.level for bin_ in bins))
+
+
+def _middles() -> list[tuple[float, float, float]]:
+    """Middle and ends of each bin, px; the last one has no end and stands where it begins."""
+    ends = [*zip(EDGES_PX[:-1], EDGES_PX[1:])]
+    return [((near + far) / 2, near, far) for near, far in ends] + [(EDGES_PX[-1], EDGES_PX[-1], inf)]
+
+
+def _bin_of(row: ProfileRecord, pixel_m: float) -> ProfileBin | None:
+    """The bin whose middle a row of the table names; None for one of another table."""
+    away = row.distance / pixel_m
+    middle, near, far = min(_middles(), key=lambda edges: abs(edges[0] - away))
+    if abs(middle - away) > _SAME_PLACE * middle:
+        return None
+    return ProfileBin(row.level, near, far, row.kept, row.low, row.high, nan, nan, row.mixture)
 
 
 def level_colour(level: int, style: ChartStyle) -> str:

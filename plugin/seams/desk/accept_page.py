@@ -54,7 +54,7 @@ from ..tables.scan_layers import SEAMS
 from ..words import verdict_colour
 from . import messages
 from .inputs.project_inputs import Inputs
-from .mosaic_scans import file_stem, worst_layer
+from .mosaic_scans import output_stem, worst_layer
 from .window_home import FAILURES, MADE_FOR, pictures_beside
 
 DECISION = "seaminspector:acceptmosaic"
@@ -98,7 +98,7 @@ def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, Path]:
     All have the first number by which none of them is there, nor its pictures: ``report_2.html``.
     """
     mosaic, folder = project.mapLayer(inputs.mosaic), Path(project.homePath() or Path.home())
-    stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.source())
+    stem = output_stem(project.baseName() or "delivery" if mosaic is None else mosaic.source())
     for ending in chain([""], (f"_{number}" for number in count(2))):
         files = {name: folder / f"{stem}_{Path(file).stem}{ending}{Path(file).suffix}" for name, file in _FILES.items()}
         if not any(os.path.lexists(path) for file in files.values() for path in (file, pictures_beside(file))):

@@ -41,11 +41,9 @@ _LONGEST = 254  # letters of a remark, as many as a shapefile holds
 class JudgeBar(QWidget):
     """Sentence, judgement, progress."""
 
-    def __init__(
-        self, session: Session, judging: Judging, pieces: ClickedPieces, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, session: Session, judging: Judging, pieces: ClickedPieces) -> None:
         """``pieces``: of the last scan's seams, of which a clicked one is told, and a window offered there."""
-        super().__init__(parent)
+        super().__init__()
         self._session, self._judging = session, judging
         self._asked = 0
         self._chip = QLabel(self)

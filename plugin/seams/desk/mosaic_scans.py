@@ -82,9 +82,8 @@ class MosaicScans(QObject):
         except SeamInspectorError as error:
             self._tell(error.message)
             return
-        files = self._files(order)
-        name = self._session.mosaic_layer()
-        mosaic = name.name() if name is not None else order.mosaic.ref.name
+        files, layer = self._files(order), self._session.mosaic_layer()
+        mosaic = layer.name() if layer is not None else order.mosaic.ref.name
         self._title, self._mosaic = filled(tr("Scan of {mosaic}"), mosaic=mosaic), self._session.inputs.mosaic
         self.news, self.warnings = ScanNews(0.0, None), []
         self._background.start(tr("Scan the mosaic"), scan_job(order, files), self._take, _KEY, steps=1)
@@ -117,7 +116,7 @@ class MosaicScans(QObject):
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""
         folder = Path(self._project.homePath() or window_home.unsaved_folder())
-        name = file_stem(order.mosaic.ref.name)
+        name = output_stem(order.mosaic.ref.name)
         for ending in chain([""], (f"_{number}" for number in count(2))):
             files = ScanFiles(folder / f"{name}_loss{ending}.tif", folder / f"{name}_scan{ending}.gpkg")
             if _is_ours(files):
@@ -199,7 +198,7 @@ class MosaicScans(QObject):
         self.notified.emit(sentence(message), bar_level(message))
 
 
-def file_stem(name: str) -> str:
+def output_stem(name: str) -> str:
     """What the names of files about a mosaic begin with."""
     return re.sub(r"[^\w.-]+", "_", Path(name).stem).lstrip("-.")[:_LONGEST_NAME]  # a table begins with neither
 

@@ -16,12 +16,10 @@ from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, formatted, sentence, shown_number, tr
 from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
-from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
+from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour, shown_profile
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
-from ..measure.profile.cell_table import EDGES_PX
-from ..measure.profile.seam_profile import ProfileBin, SeamProfile
-from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord
+from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
 from ..window_summary import judged_words, painted_width_m, two_digits, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
@@ -218,7 +216,6 @@ CURVES_PX = 320, 260
 PROFILE_PX = 470, 250
 _CURVES_LETTERS_PX = 10.7  # 8 points
 _PROFILE_LETTERS_PX = 11
-_SAME_PLACE = 0.05  # relative: a distance that is so near to a bin's middle is that bin's
 
 
 def curves_svg(curves: Sequence[CurveRecord], max_ratio: float) -> str:
@@ -264,39 +261,3 @@ def profile_picture(shown: ShownProfile | None) -> ProfilePicture | None:
     as_wide_as_its_room = re.sub(r' (width|height)="[\d.]+mm"', "", svg[svg.index("<svg") :])
     names = [(level_colour(level, PAPER), filled(tr("level {number}"), number=level)) for level in sorted(shown.levels)]
     return ProfilePicture(Markup(as_wide_as_its_room), names)
-
-
-def shown_profile(
-    record: WindowRecord, rows: Sequence[ProfileRecord], pixel_m: float | None, min_kept: float
-) -> ShownProfile | None:
-    """The profile of a window from its rows; None where they tell nothing.
-
-    ``pixel_m``: the mosaic's pixel size; where it is not known, the first distance is the middle of the first bin.
-    """
-    known = [row for row in rows if math.isfinite(row.kept) and math.isfinite(row.distance) and row.distance > 0]
-    known.sort(key=lambda row: (row.level, row.distance))
-    if not known:
-        return None
-    pixel_m = pixel_m or known[0].distance / _middles()[0][0]
-    bins = [bin_ for row in known if (bin_ := _bin_of(row, pixel_m)) is not None]
-    if not bins:
-        return None
-    width_px, feather_px = ((width or 0.0) / pixel_m for width in (record.band_width, record.feather_width))
-    low, high = (math.nan if end is None else end for end in (record.kept_low, record.kept_high))
-    profile = SeamProfile(record.kept, low, high, width_px, 0.0, tuple(bins), feather_px)
-    return ShownProfile(profile, pixel_m, min_kept, frozenset(bin_.level for bin_ in bins))
-
-
-def _middles() -> list[tuple[float, float, float]]:
-    """Middle and ends of each bin, px; the last one has no end and stands where it begins."""
-    ends = [*zip(EDGES_PX[:-1], EDGES_PX[1:])]
-    return [((near + far) / 2, near, far) for near, far in ends] + [(EDGES_PX[-1], EDGES_PX[-1], math.inf)]
-
-
-def _bin_of(row: ProfileRecord, pixel_m: float) -> ProfileBin | None:
-    """The bin whose middle a row of the table names; None for one of another table."""
-    away = row.distance / pixel_m
-    middle, near, far = min(_middles(), key=lambda edges: abs(edges[0] - away))
-    if abs(middle - away) > _SAME_PLACE * middle:
-        return None
-    return ProfileBin(row.level, near, far, row.kept, row.low, row.high, math.nan, math.nan, row.mixture)

@@ -84,8 +84,8 @@ _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.Fo
 class ChartPanel(QtWidgets.QWidget):
     """A chart or the words in its place; below it words, and a button. Looks anew once it comes into sight."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._timer = single_shot(self, self._refresh)
         self._text = QtWidgets.QLabel()
         self._text.setTextFormat(Qt.TextFormat.PlainText)

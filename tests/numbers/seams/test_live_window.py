@@ -22,7 +22,7 @@ from seam_inspector.plugin.seams.measure.window.inspection import (
     window_request,
 )
 from seam_inspector.plugin.seams.measure.window.measured_window import (
-    KEPT,
+    HELD_WINDOWS,
     InspectionSettings,
     MeasuredAhead,
     WindowRequest,
@@ -143,13 +143,13 @@ def test_what_was_measured_ahead_is_there_and_the_same(feathered: Block, lanes: 
     assert reads == [1]
     assert first.window_id == whole.window_id == 3
     assert repr(whole) == repr(inspect_window(request))
-    for step in range(1, KEPT + 1):
+    for step in range(1, HELD_WINDOWS + 1):
         ahead(request_of(feathered, replace(WINDOW, column=step)))
     ahead(request)
-    assert len(reads) == KEPT + 2  # it was the oldest, and forgotten
+    assert len(reads) == HELD_WINDOWS + 2  # it was the oldest, and forgotten
     ahead.forget()
     ahead(request)
-    assert len(reads) == KEPT + 3
+    assert len(reads) == HELD_WINDOWS + 3
 
 
 def test_a_click_waits_for_the_window_that_is_being_measured(feathered: Block, lanes: ReadingLanes) -> None:

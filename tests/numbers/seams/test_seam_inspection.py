@@ -7,7 +7,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause
-from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict, judge
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict, judge_curves
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of, templates
 from tests.numbers.seams.made_seams import BORDER, SIDE, WHOLE, as_bytes, blended, inspected, three_images, weight
@@ -66,7 +66,7 @@ def test_the_papers_rule_and_the_seam_can_differ(make_raster: MakeRaster, source
     assert by_seam.paper_verdict is by_paper.paper_verdict is by_paper.judgement.verdict is not Verdict.SIGNIFICANT
     assert by_seam.judgement.ratios == by_paper.judgement.ratios
     of_mosaic, *others = (clip.curves["luminance"] for clip in by_paper.clips)
-    assert by_paper.judgement == judge(of_mosaic, others)
+    assert by_paper.judgement == judge_curves(of_mosaic, others)
     assert (by_seam.reference, by_paper.reference) == ("seam", "sources")
 
 

@@ -13,7 +13,7 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import (
     Judgement,
     Verdict,
     curve_ratios,
-    judge,
+    judge_curves,
 )
 
 
@@ -38,7 +38,7 @@ PYKA_2010_TABLE_1 = {
 @pytest.mark.parametrize("row", PYKA_2010_TABLE_1)
 def test_table_1_of_the_paper(row: str) -> None:
     mosaic, sources, verdict = PYKA_2010_TABLE_1[row]
-    judgement = judge(mosaic, sources)
+    judgement = judge_curves(mosaic, sources)
     assert judgement.verdict is verdict
     assert judgement.reason is None
 
@@ -57,21 +57,21 @@ def test_table_1_of_the_paper(row: str) -> None:
 )
 def test_edges_of_the_verdicts(share: float, verdict: Verdict) -> None:
     source = Curve((0.25, 0.25), 0.5, 1.0)
-    assert judge(Curve((0.25 * share, 0.25), 0.5, 1.0), [source]).verdict is verdict
+    assert judge_curves(Curve((0.25 * share, 0.25), 0.5, 1.0), [source]).verdict is verdict
 
 
 @given(st.lists(st.tuples(*[st.floats(0.001, 0.3)] * 3), min_size=1, max_size=6))
 def test_a_flag_means_against_every_source(details: list[tuple[float, float, float]]) -> None:
     mosaic, sources = curve(0.05, 0.07, 0.09), [curve(*detail) for detail in details]
-    judgement = judge(mosaic, sources)
-    against_each = [judge(mosaic, [source]).verdict for source in sources]
+    judgement = judge_curves(mosaic, sources)
+    against_each = [judge_curves(mosaic, [source]).verdict for source in sources]
     for verdict in (Verdict.PRESERVED, Verdict.REDUCED, Verdict.SIGNIFICANT):  # the mildest one counts
         if verdict in against_each:
             assert judgement.verdict is verdict
             break
     least = [min(detail[level] for detail in details) for level in range(3)]
     assert judgement.ratios.detail == pytest.approx([0.05 / least[0], 0.07 / least[1], 0.09 / least[2]])
-    assert judge(mosaic, sources[::-1]) == judgement
+    assert judge_curves(mosaic, sources[::-1]) == judgement
 
 
 def assert_not_comparable(judgement: Judgement, reason: Message) -> None:
@@ -80,22 +80,22 @@ def assert_not_comparable(judgement: Judgement, reason: Message) -> None:
 
 
 def test_without_sources() -> None:
-    judgement = judge(SOURCE, [])
+    judgement = judge_curves(SOURCE, [])
     assert_not_comparable(judgement, seams_messages.NO_SOURCES)
     assert judgement.ratios.detail == (None, None, None)
     assert judgement.ratios.background is None
 
 
 def test_a_constant_mosaic() -> None:
-    assert_not_comparable(judge(CONSTANT, [SOURCE]), seams_messages.MOSAIC_CONSTANT)
-    assert_not_comparable(judge(CONSTANT, []), seams_messages.MOSAIC_CONSTANT())  # the sources may be as constant
+    assert_not_comparable(judge_curves(CONSTANT, [SOURCE]), seams_messages.MOSAIC_CONSTANT)
+    assert_not_comparable(judge_curves(CONSTANT, []), seams_messages.MOSAIC_CONSTANT())  # sources may be as constant
 
 
 def test_a_source_without_detail_does_not_count() -> None:
     flat = Curve((0.0, 0.1, 0.1), 0.8, 50.0)
-    assert_not_comparable(judge(SOURCE, [flat]), seams_messages.SOURCES_WITHOUT_DETAIL)
-    assert_not_comparable(judge(SOURCE, [CONSTANT]), seams_messages.SOURCES_WITHOUT_DETAIL)
-    judgement = judge(curve(0.01, 0.05, 0.1), [flat, SOURCE, CONSTANT])
+    assert_not_comparable(judge_curves(SOURCE, [flat]), seams_messages.SOURCES_WITHOUT_DETAIL)
+    assert_not_comparable(judge_curves(SOURCE, [CONSTANT]), seams_messages.SOURCES_WITHOUT_DETAIL)
+    judgement = judge_curves(curve(0.01, 0.05, 0.1), [flat, SOURCE, CONSTANT])
     assert judgement.verdict is Verdict.SIGNIFICANT
     assert judgement.ratios.detail == pytest.approx((0.25, 5 / 9, 1.0))
 

@@ -13,16 +13,11 @@ from qgis.PyQt.QtCore import QRectF
 from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile, level_colour
+from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile, level_colour, shown_profile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.window.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
-from seam_inspector.plugin.seams.report.flagged_windows import (
-    PROFILE_PX,
-    ProfilePicture,
-    profile_picture,
-    shown_profile,
-)
+from seam_inspector.plugin.seams.report.flagged_windows import PROFILE_PX, ProfilePicture, profile_picture
 from seam_inspector.plugin.seams.report.inspection_report import write_report
 from seam_inspector.plugin.seams.report.report_request import ReportRequest
 from seam_inspector.plugin.toolkit.charts.chart_painter import paper_font

@@ -14,7 +14,7 @@ import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.records import RecordFiles
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.scan import piece_sums
+from seam_inspector.plugin.seams.measure.scan import loss_raster
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 
 from tests.qgis.runs import Log, Run, assert_sentence, run
@@ -148,7 +148,7 @@ def test_killed_while_the_picture_is_written_there_is_none(
 ) -> None:
     def work() -> None:
         monkeypatch.setattr(
-            piece_sums.LossRaster, "close", lambda *_: os.kill(os.getpid(), signal.SIGKILL)
+            loss_raster.LossRaster, "close", lambda *_: os.kill(os.getpid(), signal.SIGKILL)
         )
         scan(files, tmp_path)
 

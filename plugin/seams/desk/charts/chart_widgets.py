@@ -34,8 +34,8 @@ _DIMMED = 0.35  # how much is left of a chart that is disabled
 class ChartWidget(QWidget):
     """What a ``ChartPainter`` paints, in the colours of the theme; faint while it is disabled."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setMinimumSize(11 * self.fontMetrics().height(), _LEAST_PX)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -89,8 +89,8 @@ class ProfileChart(ChartWidget):
 
     pointed = pyqtSignal(object)  # what the mouse points at; None when it is elsewhere
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setMouseTracking(True)
         self.shown: ShownProfile | None = None  # what is seen
         self.pointed_bin: ProfileBin | None = None  # what the mouse points at
@@ -149,8 +149,8 @@ class PictureButton(QToolButton):
 
     notified = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._folder = Path.home()  # where the last one was saved
         self._picture: ChartPicture | None = None
         self.setIcon(QgsApplication.getThemeIcon("/mActionSaveMapAsImage.svg"))

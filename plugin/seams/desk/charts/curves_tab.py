@@ -225,8 +225,8 @@ class ProfilePanel(_SavedChart):
 class CurvesAndProfile(QSplitter):
     """Both panels, one above the other, or side by side where there is too little height; their border can be moved."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(Qt.Orientation.Vertical, parent)
+    def __init__(self, session: Session) -> None:
+        super().__init__(Qt.Orientation.Vertical)
         self.curves, self.profile = CurvesPanel(session), ProfilePanel(session)
         self.setChildrenCollapsible(False)
         for panel in (self.curves, self.profile):

@@ -12,12 +12,12 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QComboBox, QFrame, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
-from ....imagery.clips import covered_share
+from ....imagery.grids import covered_share
 from ....toolkit.desk.widgets import ClippedLabel, single_shot
 from ....toolkit.reference_systems import known_system
 from ....toolkit.translation import filled, sentence, tr
 from ..map.hard_cut import Compared, ComparedLayer, looks_alike
-from ..map.lost_detail import PictureOverlay, loss_of, placed_picture
+from ..map.lost_detail import PictureOverlay, picture_of, placed_picture
 from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
@@ -67,11 +67,9 @@ class WindowMap(QgsMapCanvas):
 class ImagesPanel(QWidget):
     """Follows the selected window while it is in sight."""
 
-    def __init__(
-        self, session: Session, parent: QWidget | None = None, is_blind: Callable[[], bool] = lambda: False
-    ) -> None:
+    def __init__(self, session: Session, is_blind: Callable[[], bool] = lambda: False) -> None:
         """``is_blind``: whether it is hidden where detail was lost."""
-        super().__init__(parent)
+        super().__init__()
         self._session = session
         self._shown: tuple[int, object] | None = None  # feature id and outline of the window that is looked at
         self._is_moving = False
@@ -207,7 +205,7 @@ class ImagesPanel(QWidget):
         selected, grid = self._session.selected(), self._session.mosaic_grid()
         row = self._session.row(selected[0]) if selected and self._session.lost_detail.isChecked() else None
         result = self._session.result(row.fid) if row is not None else None
-        picture = loss_of(row, result) if row is not None and result is not None else None
+        picture = picture_of(row, result) if row is not None and result is not None else None
         placed = []
         if picture is not None and picture.image is not None and picture.window is not None and grid is not None:
             placed = [placed_picture(picture.image, picture.window, picture.cell_px, grid)]

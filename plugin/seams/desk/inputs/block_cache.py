@@ -47,7 +47,7 @@ from .project_inputs import Inputs
 
 
 class BlockCache(QObject):
-    """Knows the inputs. The mosaic's header and the source index are opened in the background, each once."""
+    """Knows the inputs and the ``Block`` that they make. Mosaic and source index are opened in the background, once."""
 
     opened = pyqtSignal()
     """The mosaic was opened, or could not be; or copies of it were found among its sources."""

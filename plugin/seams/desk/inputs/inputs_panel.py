@@ -38,8 +38,8 @@ _Filter = QgsMapLayerProxyModel.Filter
 class InputsPanel(QWidget):
     """Shows the session's inputs and changes them."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: Session) -> None:
+        super().__init__()
         self._session = session
         self._is_following = False
         self._was_folded = False

@@ -240,7 +240,7 @@ class LossOverlay(QObject):
             picture = self._pictures.get(row.window_id)
             if picture is None or picture.of != row.measured:
                 result = self._session.result(row.fid) if not is_late else None
-                picture = loss_of(row, result) if result is not None else None
+                picture = picture_of(row, result) if result is not None else None
                 # Only after one that was read, so that each slice gets further
                 is_late = is_late or (picture is not None and time.perf_counter() > end)
             if picture is not None:
@@ -249,16 +249,16 @@ class LossOverlay(QObject):
         if is_late:
             self._next_slice.start()
         placed = [
-            placed_picture(loss.image, loss.window, loss.cell_px, grid)
-            for loss in pictures.values()
-            if loss.image is not None and loss.window is not None
+            placed_picture(picture.image, picture.window, picture.cell_px, grid)
+            for picture in pictures.values()
+            if picture.image is not None and picture.window is not None
         ]
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
         self._overlay.set_visible(not self._gives_way)
         self._legend.show_legend(is_reading=is_late)
 
 
-def loss_of(row: WindowRecord, result: WindowResult) -> WindowPicture:
+def picture_of(row: WindowRecord, result: WindowResult) -> WindowPicture:
     """Nothing is painted where all is even, as in most windows of a sound mosaic, and that costs no time."""
     loss = result.loss
     if loss is None:

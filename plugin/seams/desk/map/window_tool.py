@@ -30,8 +30,9 @@ from ....toolkit.desk.tool_dock import DrawingTool, is_drag
 from ....toolkit.layers import layer_path, transformed_place
 from ....toolkit.table_fields import text
 from ....toolkit.translation import filled, sentence, shown_metres, tr
+from ...charts.profile_painter import shown_profile
 from ...measure import messages
-from ...measure.planning.window_placing import window_side_px
+from ...measure.planning.window_placing import fitting_window, window_side_px
 from ...measure.window_records import SEAM, ProfileRecord, WindowRecord
 from ...tables.record_tables import read_windows
 from ...tables.scan_layers import SEAMS
@@ -341,9 +342,6 @@ class ClickedPieces(QObject):
         if clicked is None or block is None or here is None:
             self.leave()
             return
-        from ...measure.scan.scan_result import fitting_window  # needs numpy, which QGIS starts without
-        from ...report.flagged_windows import shown_profile
-
         (piece, outline, layer), grid = clicked, block.mosaic.grid
         try:
             window = clicked_window(grid, (here.x(), here.y()), self._session.inputs)

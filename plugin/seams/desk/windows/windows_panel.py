@@ -99,11 +99,9 @@ class WindowsPanel(QWidget):
     zoomRequested = pyqtSignal(int)  # feature id of the window to be looked at
     orderChanged = pyqtSignal()  # other windows are shown, or in another order
 
-    def __init__(
-        self, session: Session, parent: QWidget | None = None, confirm: Callable[[QWidget, str], bool] = is_confirmed
-    ) -> None:
+    def __init__(self, session: Session, confirm: Callable[[QWidget, str], bool] = is_confirmed) -> None:
         """``confirm`` asks the operator before judged windows are removed."""
-        super().__init__(parent)
+        super().__init__()
         self._session = session
         self._confirm = confirm
         self._is_following = False

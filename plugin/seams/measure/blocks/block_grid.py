@@ -89,7 +89,7 @@ BlockKey = tuple[int, int]
 
 @dataclass(frozen=True)
 class BlockGrid:
-    """The blocks that a mosaic has."""
+    """The blocks that a mosaic is scanned in; ``inspection.Block`` is another thing."""
 
     grid: Grid
 

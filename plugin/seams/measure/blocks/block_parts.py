@@ -12,8 +12,7 @@ from ....imagery.wavelets import placed_components
 from ..following.boxes import enlarged, filled_in, narrowed, square_shares, square_sums
 from ..following.expected_mosaic import Closeness, expected_mosaic
 from ..following.followed_source import HIGH_PASS_PX
-from ..following.levelling import SQUARE_PX as TONE_PX
-from ..following.levelling import levelled, square_means
+from ..following.levelling import TONE_PX, levelled, square_means
 from ..following.likely_source import QUICK
 from ..following.placed_sources import PlacedSources, follow_given, follow_sources
 from ..following.source_filters import known_filters

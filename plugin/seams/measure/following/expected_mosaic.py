@@ -17,7 +17,7 @@ from .border import smooth_border, to_the_pixel
 from .boxes import near_border, widened
 from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
-from .levelling import SQUARE_PX, Levelled, levelled, levelled_by, square_means
+from .levelling import TONE_PX, Levelled, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
 from .mixed_ground import mixed_filters
@@ -292,4 +292,4 @@ def _in_tone(
 ) -> dict[int, Levelled]:
     """The sources that any pixel follows, in the mosaic's grey values."""
     means = square_means(mosaic)
-    return {i: levelled(means, planes[i], labels == i, clear, patch_px // SQUARE_PX) for i in present(labels)}
+    return {i: levelled(means, planes[i], labels == i, clear, patch_px // TONE_PX) for i in present(labels)}

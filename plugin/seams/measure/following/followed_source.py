@@ -91,7 +91,7 @@ def weights_of_two(
 MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
 MIN_EXPLAINED = 0.5  # of the mosaic's fine detail within 36 px; a source 2 px off explains 0.1, a blur of 1.2 px 0.6
 
-CELL_PX = 4
+FINE_CELL_PX = 4
 NEAR_CELLS, WIDE_CELLS = 3, 9
 """A side of what is looked at together: 12 px, in which a mixture's weights are even, and 36 px where those do not
 decide."""
@@ -137,9 +137,9 @@ class FollowedSource:
         """Followed sources where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is
         followed, and that sources are mixed along the borders between them alone."""
         is_known = known != UNKNOWN
-        parts, _ = ndimage.label(self.mixed[::CELL_PX, ::CELL_PX])
-        meeting = np.unique(parts[near_border(known, CELL_PX)[::CELL_PX, ::CELL_PX]])
-        along_borders = enlarged(np.isin(parts, meeting[meeting > 0]), CELL_PX, known.shape)
+        parts, _ = ndimage.label(self.mixed[::FINE_CELL_PX, ::FINE_CELL_PX])
+        meeting = np.unique(parts[near_border(known, FINE_CELL_PX)[::FINE_CELL_PX, ::FINE_CELL_PX]])
+        along_borders = enlarged(np.isin(parts, meeting[meeting > 0]), FINE_CELL_PX, known.shape)
         mixed = self.mixed & (along_borders | ~is_known)
         labels = np.where(is_known, known, self.labels)
         counts = np.bincount(labels.ravel(), minlength=len(self.shares))[: len(self.shares)]
@@ -170,31 +170,32 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
     """The source that a mosaic follows; ``fine``: its fine detail (``high_pass``), then that of the sources, each
     (rows, columns), on one grid."""
     mosaic, *sources = fine
-    mosaic_energy = square_sums(mosaic, mosaic, CELL_PX)
-    energies = [square_sums(source, source, CELL_PX) for source in sources]
-    shared = [square_sums(mosaic, source, CELL_PX) for source in sources]
+    mosaic_energy = square_sums(mosaic, mosaic, FINE_CELL_PX)
+    energies = [square_sums(source, source, FINE_CELL_PX) for source in sources]
+    shared = [square_sums(mosaic, source, FINE_CELL_PX) for source in sources]
     near, wide = _correlations(mosaic_energy, energies, shared)
     winner, lead = highest(near)
     if len(sources) > 1:
         winner = np.where(lead < MIN_WINNER_LEAD, highest(wide)[0], winner)  # else a wider neighbourhood decides
-        winner = _without_specks(winner, len(sources))
+        # Each cell follows the majority of its 3 x 3 neighbours.
+        winner = highest([box_means(winner == i, (3,), mirrored=True)[0] for i in range(len(sources))])[0]
     mixed, explained = _mixtures(sources, mosaic_energy, energies, shared, winner)
     best = np.take_along_axis(np.stack(near), winner[np.newaxis], axis=0)[0]
-    textured = mosaic_energy > LEAST_ENERGY * CELL_PX**2
+    textured = mosaic_energy > LEAST_ENERGY * FINE_CELL_PX**2
     clear = ~mixed & (is_sure(best, lead) | ~textured)
     fit = np.maximum(explained, np.maximum(best, 0) ** 2)
     unexplained = _around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED
     top_of_wide, wide_lead = np.max(wide, axis=0), highest(wide)[1]
-    pixels = (WIDE_CELLS * CELL_PX) ** 2
+    pixels = (WIDE_CELLS * FINE_CELL_PX) ** 2
     likely = clear | is_likelier(1 - top_of_wide**2, 1 - np.maximum(top_of_wide - wide_lead, 0) ** 2, pixels)
     return FollowedSource(
-        enlarged(winner.astype(np.uint8), CELL_PX, mosaic.shape),
-        enlarged(clear, CELL_PX, mosaic.shape),
-        enlarged(mixed, CELL_PX, mosaic.shape),
+        enlarged(winner.astype(np.uint8), FINE_CELL_PX, mosaic.shape),
+        enlarged(clear, FINE_CELL_PX, mosaic.shape),
+        enlarged(mixed, FINE_CELL_PX, mosaic.shape),
         tuple((np.bincount(winner.ravel(), minlength=len(sources)) / winner.size).tolist()),
         float(fit[textured].mean()) if textured.any() else 0.0,
-        enlarged(unexplained, CELL_PX, mosaic.shape),
-        enlarged(likely, CELL_PX, mosaic.shape),
+        enlarged(unexplained, FINE_CELL_PX, mosaic.shape),
+        enlarged(likely, FINE_CELL_PX, mosaic.shape),
     )
 
 
@@ -214,7 +215,7 @@ def _correlations(
     mosaic_energy: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray]
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Local correlation of the mosaic with each source, (cell rows, cell columns), near and wide."""
-    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    least = np.float32(LEAST_ENERGY * FINE_CELL_PX**2)
     of_mosaic = [energy + least for energy in _around(mosaic_energy)]
     correlations = []
     for energy, product in zip(energies, shared):
@@ -226,11 +227,6 @@ def _correlations(
 def _around(products: np.ndarray) -> list[np.ndarray]:
     """Means over the near and the wide squares of cells."""
     return box_means(products, (NEAR_CELLS, WIDE_CELLS), mirrored=True)
-
-
-def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:
-    """Each cell follows the majority of its 3 x 3 neighbours."""
-    return highest([box_means(winner == i, (3,), mirrored=True)[0] for i in range(count)])[0]
 
 
 def _mixtures(
@@ -248,7 +244,7 @@ def _mixtures(
         _together(mosaic_energy) + LEAST_ENERGY,
         {i: _together(energies[i]) + LEAST_ENERGY for i in followed},
         {i: _together(shared[i]) for i in followed},
-        lambda i, j: _together(square_sums(sources[i], sources[j], CELL_PX)),
+        lambda i, j: _together(square_sums(sources[i], sources[j], FINE_CELL_PX)),
     )
 
 
@@ -256,5 +252,5 @@ def _together(products: np.ndarray) -> np.ndarray:
     """Means, a pixel, of squares of two cells a side: each with those before it."""
     down = products + np.concatenate([products[:1], products[:-1]])
     sums = down + np.concatenate([down[:, :1], down[:, :-1]], axis=1)
-    sums *= np.float32((_MIXED * CELL_PX) ** -2)
+    sums *= np.float32((_MIXED * FINE_CELL_PX) ** -2)
     return sums

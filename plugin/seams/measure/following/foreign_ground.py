@@ -23,7 +23,7 @@ from scipy import ndimage
 from ..seam_cells import present
 from .boxes import box_means, enlarged, narrowed, near_border, opened, widened
 from .compression import IsCompressed
-from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
+from .followed_source import FINE_CELL_PX, LEAST_ENERGY, WIDE_CELLS
 
 NOISE_CELL_PX = 8
 """Side of the cells that noise is learned in: as large as the blocks of JPEG, which makes it block by block."""
@@ -49,7 +49,7 @@ _MIN_PART = 0.02  # of the ground: smaller parts are not reported
 _LEAST = 0.3  # DN squared a pixel, that rounding leaves
 _FEWEST_CELLS, _FEWEST_PATCHES = 160, 24  # that noise is learned from
 _BORDER_WEIGHT = 1e-3  # of cells that a border runs through, which no single source explains
-_TERMS = 0.75 * (WIDE_CELLS * CELL_PX) ** 2  # independent values in a neighbourhood, for Schwarz's criterion
+_TERMS = 0.75 * (WIDE_CELLS * FINE_CELL_PX) ** 2  # independent values in a neighbourhood, for Schwarz's criterion
 _MOST_EXPLAINED = 0.98  # beyond it rounding decides
 _LEAST_SCATTER = 0.05  # of z
 
@@ -88,7 +88,7 @@ def foreign_ground(sums: CellSums, is_compressed: IsCompressed, is_window: bool)
     if len(sums.energies) > 1 and foreign.any():
         pairs = {pair: sums.between(*pair) for pair in combinations(sums.energies, 2)}
         foreign = _NoiseCells.of(sums, pairs).foreign(is_compressed, is_window)
-    return enlarged(foreign, NOISE_CELL_PX // CELL_PX, sums.mosaic.shape)
+    return enlarged(foreign, NOISE_CELL_PX // FINE_CELL_PX, sums.mosaic.shape)
 
 
 def foreign_patches(
@@ -167,7 +167,7 @@ class _NoiseCells:
         masks = [valid[1::2, 1::2][:rows, :columns] for valid in sums.valid.values()]
         border = np.logical_or.reduce([near_border(plane, 1) for plane in (labels, *masks)])
         seen = np.logical_or.reduce(masks) if len(masks) == len(sums.energies) else np.ones_like(border)
-        mean_weights = {i: _means(weight) * CELL_PX**2 for i, weight in weights.items()}
+        mean_weights = {i: _means(weight) * FINE_CELL_PX**2 for i, weight in weights.items()}
         if pairs:
             ordered = np.sort(np.stack(list(mean_weights.values())), axis=0)
             total = ordered[-1] + ordered[-2]
@@ -315,7 +315,7 @@ class _Squares:
 def _weights(sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> dict[int, np.ndarray]:
     """Weight of every source in the neighbourhood of every cell, (rows, columns) each: of the one that leaves least
     over, or of two where Schwarz's criterion says that the second pays."""
-    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    least = np.float32(LEAST_ENERGY * FINE_CELL_PX**2)
     mosaic = box_means(sums.mosaic, (WIDE_CELLS,))[0]
     shared = {i: np.maximum(box_means(products, (WIDE_CELLS,))[0], 0) for i, products in sums.shared.items()}
     energies = {i: box_means(products, (WIDE_CELLS,))[0] + least for i, products in sums.energies.items()}

@@ -17,7 +17,7 @@ from ..tone import coarse_means, tukey_weights
 from .boxes import enlarged
 
 LEVELS = 3
-SQUARE_PX = 2**LEVELS
+TONE_PX = 2**LEVELS
 """Side of the squares that are compared."""
 
 _MIN_FOLLOWED = 0.9  # of a square's pixels that follow the source
@@ -157,7 +157,7 @@ def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
     return np.asarray((known + least * mean) / (weights + least), np.float32)
 
 
-def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = SQUARE_PX) -> np.ndarray:
+def to_pixels(squares: np.ndarray, shape: tuple[int, ...], side: int = TONE_PX) -> np.ndarray:
     """Linear between the middles of the squares, (rows, columns) float32 of ``side`` px."""
     across = _between(squares.astype(np.float32, copy=False).T, side)[: shape[1]]
     return _between(np.ascontiguousarray(across.T), side)[: shape[0]]

@@ -16,7 +16,7 @@ from ..energy_response import EnergyResponse, fit_response, sampled
 from .boxes import SMALLEST_PART_PX, box_means, enlarged, near_border, square_sums, without_islands
 from .compression import IsCompressed
 from .followed_source import (
-    CELL_PX,
+    FINE_CELL_PX,
     LEAST_ENERGY,
     MIN_MIXTURE_WEIGHT,
     NEAR_CELLS,
@@ -60,7 +60,7 @@ class Sampling:
 
 FINE = Sampling(2, 7, 17)
 """14 and 34 px."""
-QUICK = Sampling(CELL_PX, NEAR_CELLS, WIDE_CELLS)
+QUICK = Sampling(FINE_CELL_PX, NEAR_CELLS, WIDE_CELLS)
 """12 and 36 px, a third of the time: for labels whose borders are then moved to the pixel."""
 
 
@@ -119,14 +119,14 @@ def likely_source(
         if i in valid:
             cost[~valid[i][grid]] = np.inf
         costs.append(cost)
-    times = CELL_PX // step
+    times = FINE_CELL_PX // step
     in_cells = _in_cells(mosaic_energy, times)
     of_cells, shared_of_cells = (
         {i: _in_cells(plane, times) for i, plane in held.items()} for held in (energies, products)
     )
 
     def between(i: int, j: int) -> np.ndarray:
-        return square_sums(sources[i], sources[j], CELL_PX)
+        return square_sums(sources[i], sources[j], FINE_CELL_PX)
 
     if len(sources) > 2:
         apart = _outside_mixtures(in_cells, of_cells, shared_of_cells, between)
@@ -161,7 +161,7 @@ def _outside_mixtures(
 ) -> list[np.ndarray]:
     """Cells, of each source, where a mixture of two others is far likelier than any source alone, bool: what resembles
     both of them would explain it better than either. As ``CellSums`` has sums."""
-    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    least = np.float32(LEAST_ENERGY * FINE_CELL_PX**2)
     wide = box_means(mosaic, (WIDE_CELLS,))[0] + least
     energy = {i: box_means(plane, (WIDE_CELLS,))[0] + least for i, plane in energies.items()}
     shared = {i: box_means(plane, (WIDE_CELLS,))[0] for i, plane in products.items()}
@@ -175,7 +175,7 @@ def _outside_mixtures(
         np.copyto(by_two, rest, where=better)
         for number, place in zip((i, j), mixed):
             np.copyto(place, number, where=better)
-    likelier = is_likelier(by_two, alone, (WIDE_CELLS * CELL_PX) ** 2)
+    likelier = is_likelier(by_two, alone, (WIDE_CELLS * FINE_CELL_PX) ** 2)
     return [likelier & (mixed != i).all(axis=0) for i in energy]
 
 

@@ -12,7 +12,7 @@ from ..seam_cells import UNKNOWN
 from .boxes import box_means, enlarged, in_squares, square_sums, widened
 from .source_filters import cut_of
 
-SQUARE_PX = 8
+SHARES_PX = 8
 REACH_PX = 128
 """How far from the ground that follows it a source may be mixed in: half a feather of 256 px."""
 
@@ -27,13 +27,13 @@ def where_several_meet(
 ) -> np.ndarray | None:
     """Sources of ``numbers`` that may be mixed in whole squares of 8 px, (sources, rows, columns) bool; more than two
     somewhere, else None. ``valid``: pixels that a source has, of those that don't have all."""
-    rows, columns = (length // SQUARE_PX for length in labels.shape)
-    middles = np.s_[SQUARE_PX // 2 :: SQUARE_PX, SQUARE_PX // 2 :: SQUARE_PX]
+    rows, columns = (length // SHARES_PX for length in labels.shape)
+    middles = np.s_[SHARES_PX // 2 :: SHARES_PX, SHARES_PX // 2 :: SHARES_PX]
     squares = labels[middles][:rows, :columns]
-    near = np.stack([widened(squares == number, REACH_PX // SQUARE_PX) for number in numbers])
+    near = np.stack([widened(squares == number, REACH_PX // SHARES_PX) for number in numbers])
     for mask, number in zip(near, numbers):
         if number in valid:
-            mask &= in_squares(valid[number], SQUARE_PX).all(axis=(1, 3))
+            mask &= in_squares(valid[number], SHARES_PX).all(axis=(1, 3))
     return near if (np.count_nonzero(near, axis=0) > 2).any() else None
 
 
@@ -70,13 +70,13 @@ def by_shares(labels: np.ndarray, shares: Mapping[int, np.ndarray]) -> np.ndarra
     if not where.any():
         return labels
     most = np.array(numbers, np.uint8)[several.argmax(axis=0)]
-    mixed = enlarged(where, SQUARE_PX, labels.shape) & (labels != UNKNOWN)
-    return np.where(mixed, enlarged(most, SQUARE_PX, labels.shape), labels)
+    mixed = enlarged(where, SHARES_PX, labels.shape) & (labels != UNKNOWN)
+    return np.where(mixed, enlarged(most, SHARES_PX, labels.shape), labels)
 
 
 def _around(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Means of the products over 40 px around every square."""
-    return box_means(square_sums(a, b, SQUARE_PX), (_SQUARES,))[0]
+    return box_means(square_sums(a, b, SHARES_PX), (_SQUARES,))[0]
 
 
 def _weights(normal: np.ndarray, right: np.ndarray, near: np.ndarray) -> np.ndarray:

@@ -2,7 +2,7 @@
 
     m = g (w h_a * a + (1 - w) h_b * b)
 
-on high-passed planes, with the weight w of every block of 64 px. The filters h are fitted for both images at once:
+on high-passed planes, with the weight w of every square of 64 px. The filters h are fitted for both images at once:
 fitted to one alone a filter takes the detail that the other one's share took, and the gain g falls with it.
 """
 from __future__ import annotations
@@ -15,15 +15,15 @@ from .boxes import enlarged, square_shares, square_sums
 from .followed_source import weights_of_two
 from .source_filters import filtered, fit_filters
 
-BLOCK_PX = 64
-"""Side of the blocks in which weights are taken as constant."""
+WEIGHTS_PX = 64
+"""Side of the squares in which weights are taken as constant."""
 MIN_MIXED_WEIGHT = 0.1
-"""Weight of the lesser image in three of four blocks, for ground to be mixed nearly everywhere."""
+"""Weight of the lesser image in three of four squares, for ground to be mixed nearly everywhere."""
 MOST_LEFT_OF_CUT = 0.9
 """Share of what the cut leaves over: what codecs leave over of either image is left over by both."""
 _ROUNDS = 10
 _SETTLED = 0.002  # of the lesser image's weight
-_MIN_BLOCK = 0.5  # of a block's pixels that take part
+_MIN_HELD = 0.5  # of a square's pixels that take part
 
 
 def mixed_filters(
@@ -34,14 +34,14 @@ def mixed_filters(
     ``mosaic``, ``images``, ``cut``: high-passed, (rows, columns) float32; ``where``, bool: the pixels that take part;
     ``cut``: what the images make of the mosaic each on its own side.
     """
-    enough = square_shares(where, BLOCK_PX) >= _MIN_BLOCK
+    enough = square_shares(where, WEIGHTS_PX) >= _MIN_HELD
     mosaic, lesser, shown, taps = mosaic * where, 0.0, images, None
     for _ in range(_ROUNDS):
         before = lesser
         first, lesser = _first_weights([mosaic, *(plane * where for plane in shown)], enough)
         if lesser < MIN_MIXED_WEIGHT:
             return None
-        pixels = enlarged(first, BLOCK_PX, mosaic.shape)
+        pixels = enlarged(first, WEIGHTS_PX, mosaic.shape)
         weights = pixels, 1 - pixels
         if taps is not None and abs(lesser - before) < _SETTLED:
             break
@@ -69,11 +69,11 @@ def _left_over(mosaic: np.ndarray, made: np.ndarray, where: np.ndarray) -> float
 
 
 def _first_weights(planes: Sequence[np.ndarray], enough: np.ndarray) -> tuple[np.ndarray, float]:
-    """The weight of the first image in every block of the mosaic, (block rows, block columns) float32, 0 to 1; and what
-    the lesser one has at least in three of four, 0 without any block that has ``enough`` of both. ``planes``: the
+    """The weight of the first image in every square of the mosaic, (rows, columns) float32, 0 to 1; and what
+    the lesser one has at least in three of four, 0 without any square that has ``enough`` of both. ``planes``: the
     mosaic, then the images."""
     ma, mb, aa, ab, bb = (
-        square_sums(planes[i], planes[j], BLOCK_PX).astype(np.float64)
+        square_sums(planes[i], planes[j], WEIGHTS_PX).astype(np.float64)
         for i, j in ((0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
     )
     held = enough & (aa > 0) & (bb > 0)

@@ -16,10 +16,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from ....imagery.clips import covered_share, read_clip
+from ....imagery.clips import read_clip
 from ....imagery.errors import Message, RasterError, SettingsError
 from ....imagery.gdal_paths import vrt_parts
-from ....imagery.grids import PixelWindow
+from ....imagery.grids import PixelWindow, covered_share
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef

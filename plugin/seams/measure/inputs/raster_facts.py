@@ -4,9 +4,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ....imagery.clips import covered_share
 from ....imagery.errors import Message
-from ....imagery.grids import Extent, extents_meet
+from ....imagery.grids import Extent, covered_share, extents_meet
 from .. import messages
 
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have

@@ -21,7 +21,7 @@ MAX_KEPT_LOW = 1.15  # lower end of kept_1: no seam adds detail, so the sources 
 
 
 class Verdict(str, Enum):
-    """What a window's ratios say. The values are the words that tables hold."""
+    """What became of the detail of a window or a piece of seam. The values are the words that tables hold."""
 
     SIGNIFICANT = "significant"
     """At most the limit is left by the best estimate, and some loss is certain."""
@@ -119,7 +119,7 @@ def curve_ratios(mosaic: Curve, source: Curve) -> Ratios:
     return Ratios(detail, _ratio(mosaic.background, source.background))
 
 
-def judge(
+def judge_curves(
     mosaic: Curve, sources: Sequence[Curve], max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
 ) -> Judgement:
     """The verdict on a mosaic's curve against those of its sources in one window and band.

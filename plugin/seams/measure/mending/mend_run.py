@@ -23,7 +23,7 @@ from ....imagery.wavelets import judged_plane
 from .. import messages
 from ..blocks.block_pixels import ALL_READ, BlockPixels
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
-from ..following.levelling import SQUARE_PX, square_means, to_pixels
+from ..following.levelling import TONE_PX, square_means, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
 from ..seam_cells import UNKNOWN
@@ -246,7 +246,7 @@ class _Pixels:
         """(rows, columns) bool: where the mosaic and this source have pixels; not its rim, mixed with nothing maybe."""
         is_valid, source_valid = np.ones(self.planes.mosaic.plane.shape, bool), self.clips[source].valid
         if source_valid is not None:
-            is_valid &= source_valid & ~widened(opened(~source_valid, SQUARE_PX), _RIM_PX)
+            is_valid &= source_valid & ~widened(opened(~source_valid, TONE_PX), _RIM_PX)
         return is_valid if self.mosaic_clip.valid is None else is_valid & self.mosaic_clip.valid
 
 
@@ -337,8 +337,8 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
 
 def _around(points: np.ndarray, margin: float) -> PixelWindow:
     """Whole squares around columns and rows (n, 2)."""
-    first = np.floor((points.min(axis=0) - margin) / SQUARE_PX).astype(int) * SQUARE_PX
-    last = np.ceil((points.max(axis=0) + margin) / SQUARE_PX).astype(int) * SQUARE_PX
+    first = np.floor((points.min(axis=0) - margin) / TONE_PX).astype(int) * TONE_PX
+    last = np.ceil((points.max(axis=0) + margin) / TONE_PX).astype(int) * TONE_PX
     return PixelWindow(*first.tolist(), *(last - first).tolist())
 
 

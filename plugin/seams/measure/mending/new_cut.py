@@ -20,7 +20,7 @@ from ....imagery.lines import vertex_stations
 from ....imagery.shifts import MIN_TILE_SHARE, Shift, find_shift, shifted
 from .. import messages
 from ..following.boxes import box_means, enlarged, in_squares, square_shares
-from ..following.levelling import SQUARE_PX, gain_field, square_means, to_pixels
+from ..following.levelling import TONE_PX, gain_field, square_means, to_pixels
 from ..following.source_filters import UNTOUCHED, filtered
 from ..judgement.hard_cut import JudgedGround
 from ..seamlines.seam_pieces import points_beside
@@ -141,7 +141,7 @@ EASED_PX = 96
 
 _REACHES = 54.0, 18.0, 6.0, 2.0  # squares: what a tone is carried on by, the nearest that tells it
 _LEAST = 0.05
-_EASED_SQUARES = 1.0, 2.0, EASED_PX / SQUARE_PX / 3  # by scale: the finest are eased nearest to the cut
+_EASED_SQUARES = 1.0, 2.0, EASED_PX / TONE_PX / 3  # by scale: the finest are eased nearest to the cut
 _APART_PX = 2  # whose difference is fine detail
 _ROUNDED = 2.0  # mean square of such differences on ground that shows little but rounding
 _LEAST_ALIKE = 0.3  # correlation of such differences

@@ -217,6 +217,26 @@ def fitting_side_m(grid: Grid, settings: PlacingSettings) -> float:
     return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)
 
 
+SMALLEST_SIDE_PX = 128
+"""Beside missing pixels; below it there is no ground around the seam to compare it with."""
+
+
+def fitting_window(
+    x: float, y: float, grid: Grid, side: int, is_valid: Callable[[PixelWindow], bool]
+) -> PixelWindow | None:
+    """The window around a place, else the first of those aside that holds it, else of smaller ones."""
+    while True:
+        window = standard_window(grid, x, y, side)
+        for down, across in ((i, j) for i in (0, -1, 1) for j in (0, -1, 1)):
+            by = side * (2 if down and across else 3) // 8  # farther off the middle a seam would but clip a corner
+            moved = window.moved_by(by * across, by * down).moved_into(grid.columns, grid.rows)
+            if is_valid(moved):
+                return moved
+        side //= 2
+        if side < SMALLEST_SIDE_PX:
+            return None
+
+
 MAX_SHARED_SHARE = 0.5  # two windows on one seam share at most half of their pixels
 
 

@@ -17,7 +17,7 @@ from scipy.sparse import csc_matrix
 
 from ..following.boxes import enlarged, narrowed
 from ..following.expected_mosaic import ExpectedMosaic
-from ..following.meeting import SQUARE_PX as SHARES_PX
+from ..following.meeting import SHARES_PX
 from ..seam_cells import UNKNOWN
 from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellTable, MixtureTable
 
@@ -27,7 +27,6 @@ MOSAIC, CUT, FIRST_SOURCE = range(3)
 _AREA, _SS, _OO, _CODEC = map(PRODUCTS.index, ("area", "ss", "oo", "codec"))
 _SHOWN, _BEFORE = ([PRODUCTS.index(name) for name in names] for names in (("ss", "so", "oo"), ("pp", "pq", "qq")))
 _GRID_PX = 2  # distances are taken on the grid of the finest coefficients
-_NO_PAIR = (UNKNOWN + 1) ** 2
 _UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coefficients
 ROUNDING = 1e-4
 """Rms of detail as a share of the mean grey: weaker is what float32 leaves of even ground, and no detail."""

@@ -17,7 +17,7 @@ painted over a strip would read 0.5 by energy and 0.7 by mixture."""
 
 _WIDEST = 7.0  # of the logarithm, a factor of a thousand: nothing is known, and can still be reckoned with
 
-MOST_KEPT = 1.05
+MOST_KEPT_LOW = 1.05
 """No seam adds detail of its sources: energies that surely tell of more are not of the ground that they are compared
 with."""
 WIDEST = float(np.log(2))
@@ -64,10 +64,10 @@ def together(energy: Kept, mixture: Kept) -> tuple[Kept, np.ndarray]:
 
     They agree where their intervals meet; then their mean counts, weighted by their precision. Else the lower one does.
     """
-    has_energy, has_mixture = ~np.isnan(energy.value), mixture.low <= MOST_KEPT  # never of NaN
+    has_energy, has_mixture = ~np.isnan(energy.value), mixture.low <= MOST_KEPT_LOW  # never of NaN
     mixture = Kept(*(np.where(has_mixture, end, np.nan) for end in mixture))
     meet = (energy.low <= mixture.high) & (mixture.low <= energy.high)
-    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT) & ((energy.width <= WIDEST) | ~meet)
+    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT_LOW) & ((energy.width <= WIDEST) | ~meet)
     both = has_energy & has_mixture
     agree = both & meet
     by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value)

@@ -77,13 +77,9 @@ class Mixtures:
     """(n, SLOTS) bool: bins in which the share is known."""
 
 
-def raw_shares(products: np.ndarray) -> np.ndarray:
+def _shares(products: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Share of the other source in every bin by itself, (..., SLOTS), from ``PRODUCTS`` (..., SLOTS, PRODUCTS); NaN
     where the mosaic has neither."""
-    return _shares(products, _sharp_weights(products)[0])
-
-
-def _shares(products: np.ndarray, weights: np.ndarray) -> np.ndarray:
     total = weights[..., 0] + weights[..., 1]
     known = (total > _LEAST_WEIGHT) & (products[..., _AREA] > 0)
     share = np.divide(weights[..., 1], total, out=np.full_like(total, np.nan), where=known)
@@ -288,7 +284,7 @@ class MixedStrips:
         finest = sums[:, :GROUPS]
         whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
         left_out = finest.sum(axis=1, keepdims=True) - finest
-        shares = raw_shares(left_out)
+        shares = _shares(left_out, _sharp_weights(left_out)[0])
         deviations = shares - shares.mean(axis=1, keepdims=True)
         fitted = fit_mixtures(whole, _spread(deviations))
         self._other, self._area, other = fitted.other, whole[:, 0, :, _AREA], fitted.other[:, np.newaxis]

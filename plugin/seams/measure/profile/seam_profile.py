@@ -18,7 +18,8 @@ WIDEST_FEATHER_PX = 2 * EDGES_PX[MIXED_BINS] / (1 - 2 * UNMIXED_SHARE)
 BAND_KEPT = 0.9
 """The band along a seam is where less than this is kept."""
 MIN_APART = 0.2  # honest pairs have 0.6 or more; 0.05 where both hold the mosaic's pixels, with noise of 1.2 DN on them
-MIN_STRIP_PX = 1000  # pixels of a strip; a seam of some 60 px
+MIN_STRIP_PX = 1000  # pixels of a strip
+LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)  # with a strip that is just large enough to be measured
 
 
 class Measure(str, Enum):

@@ -15,7 +15,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from .energy_sums import SURE_LEFT, EnergySums
 from .ground import LevelGround
-from .intervals import MIN_CARRIED, MOST_KEPT, MOST_UNEXPLAINED, Kept, together, weighted
+from .intervals import MIN_CARRIED, MOST_KEPT_LOW, MOST_UNEXPLAINED, Kept, together, weighted
 from .mixture import MOST_EVERYWHERE, MixedStrips, MixtureSums
 from .seam_profile import (
     BAND_KEPT,
@@ -67,7 +67,7 @@ class SeamSums:
         more_left = energy.take_out(mixed.edge, mixed.left_over, mixed.soft_left_over, mixed.rounded)
         by_energy, energy_levels = energy.kept()
         # Where a mixture is told and does not end, the ground around is mixed as well.
-        is_endless = (mixed.shares()[MIXED_BINS - 1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
+        is_endless = (mixed.shares()[MIXED_BINS - 1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT_LOW)
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
         by_energy = by_energy.times(np.where(is_endless, np.nan, mixed.before_in_strip[0]))
         area, plain = in_strip(energy.area), in_strip(energy.plain)

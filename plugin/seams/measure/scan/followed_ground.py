@@ -25,8 +25,9 @@ from ..blocks.block_pixels import BlockPixels
 from ..blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
 from ..following.boxes import square_shares
 from ..following.placed_sources import FARTHEST_FILTERED_PX
+from ..profile.seam_profile import LEAST_SEAM_PX
 from ..seamlines.seam_pieces import SeamPiece
-from .scan_request import LEAST_SEAM_PX, SHORTEST_PIECE_PX, ScanRequest
+from .scan_request import SHORTEST_PIECE_PX, ScanRequest
 
 LEAST_UNEXPLAINED = 0.03
 """Least share of the ground that no source explains, to be told."""

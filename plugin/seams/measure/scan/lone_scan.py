@@ -27,7 +27,8 @@ from .lone_stretches import (
     lone_cells,
     lone_stretches,
 )
-from .piece_sums import NODATA, LossRaster, blocks_of, by_blocks, empty_cells, loss_raster
+from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
+from .piece_sums import blocks_of, by_blocks
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 

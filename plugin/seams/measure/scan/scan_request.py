@@ -10,16 +10,15 @@ from typing import Callable
 import numpy as np
 
 from ....imagery import limits as imagery_limits
-from ....imagery.clips import covered_share
 from ....imagery.errors import Message, RasterError, SeamsElsewhereError, SettingsError
-from ....imagery.grids import PixelWindow
+from ....imagery.grids import PixelWindow, covered_share
 from ....imagery.lines import vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
 from ..blocks.block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey, ScanSettings, blocks_near, place_of, units_along
 from ..blocks.scan_block import REACH_PX, BlockRequest
-from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
+from ..profile.seam_profile import LEAST_SEAM_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines import seam_pieces
 from ..seamlines.given_seams import GivenSeams
@@ -27,8 +26,6 @@ from ..seamlines.seam_features import source_numbers
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, SidedSeam
 from ..source_images import Footprints, Source, whole_images
 
-LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
-"""With a strip that is just large enough to be measured."""
 SHORTEST_PIECE_PX = 1.25 * LEAST_SEAM_PX
 """Shortest piece that can be asked for, as pieces may be shorter than that."""
 LEAST_BETWEEN = 0.5

@@ -15,7 +15,7 @@ import numpy as np
 from ....imagery import limits as imagery_limits
 from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, RasterError
-from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from ....imagery.grids import PixelWindow, standard_side_px
 from ....imagery.lines import line_wkt
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
@@ -26,8 +26,8 @@ from ..following.likely_source import MIN_FIT
 from ..judgement.verdicts import Verdict, judge_profile
 from ..judgement.visibility import visibility
 from ..limits import MEASURABLE_SIDE_PX
-from ..planning.window_placing import SIDES_ACROSS, PlacedWindow, WindowIndex
-from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
+from ..planning.window_placing import SIDES_ACROSS, PlacedWindow, WindowIndex, fitting_window
+from ..profile.seam_profile import LEAST_SEAM_PX, MIN_STRIP_PX
 from ..profile.seam_sums import StripProfile
 from ..seamlines.seam_pieces import SeamPiece
 from ..seamlines.seam_tracing import SourcePolygon
@@ -109,12 +109,13 @@ def judge_piece(
     left, right = sides
     is_even = figures.grain <= MOST_GRAIN * white  # never where that is not known
     if profile is None:
-        needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
         why: Message | None = messages.PIECE_NOT_MEASURED()
-        if piece.length_m < needed:
-            why = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed)
-        elif figures.strip.area_px < MIN_STRIP_PX:
-            why = messages.PIECE_NOT_COMPARED()
+        if figures.strip.area_px < MIN_STRIP_PX:
+            needed = LEAST_SEAM_PX * ground_sample_distance
+            is_short = piece.length_m < needed
+            why = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if is_short else (
+                messages.PIECE_NOT_COMPARED()
+            )
     # What little is left where detail was brushed away resembles no source.
     elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
         why = messages.COMPOSITE_UNCLEAR()
@@ -155,10 +156,6 @@ def metres(pieces: Sequence[JudgedPiece], *states: PieceState) -> float:
     return math.fsum(piece.piece.length_m for piece in pieces if not states or piece.state in states)
 
 
-SMALLEST_SIDE_PX = 128
-"""Beside missing pixels; below it there is no ground around the seam to compare it with."""
-
-
 def worst_windows(
     pieces: Sequence[JudgedPiece], mosaic: Raster, count: int, levels: int,
     is_valid: Callable[[PixelWindow], bool] = lambda window: True,
@@ -173,7 +170,12 @@ def worst_windows(
     grid = mosaic.grid
     with suppress(RasterError):
         is_valid = is_valid if (opened := open_raster(mosaic.ref)).is_all_valid else opened.is_valid
-    side = window_side_px(grid, levels)
+    # The standard side; of a mosaic that hardly holds such windows a part of it, so that they tell places apart.
+    side, shorter = standard_side_px(grid, imagery_limits.STANDARD_SIDE_M), min(grid.columns, grid.rows)
+    while side > MEASURABLE_SIDE_PX and side * SIDES_ACROSS > shorter:
+        side //= 2
+    side = min(side, shorter)
+    side -= side % 2**levels
     taken = WindowIndex(max(side, 1))
     worst: list[PlacedWindow] = []
     measured = [(piece.least_kept, number) for number, piece in enumerate(pieces) if piece.least_kept is not None]
@@ -188,31 +190,6 @@ def worst_windows(
         station = judged.piece.station_m + judged.piece.length_m / 2
         worst.append(PlacedWindow(len(worst) + 1, judged.piece.seam_id, station, window))
     return worst
-
-
-def window_side_px(grid: Grid, levels: int) -> int:
-    """The standard side; of a mosaic that hardly holds such windows a part of it, so that they tell places apart."""
-    side, shorter = standard_side_px(grid, imagery_limits.STANDARD_SIDE_M), min(grid.columns, grid.rows)
-    while side > MEASURABLE_SIDE_PX and side * SIDES_ACROSS > shorter:
-        side //= 2
-    side = min(side, shorter)
-    return side - side % 2**levels
-
-
-def fitting_window(
-    x: float, y: float, grid: Grid, side: int, is_valid: Callable[[PixelWindow], bool]
-) -> PixelWindow | None:
-    """The window around a place, else the first of those aside that holds it, else of smaller ones."""
-    while True:
-        window = standard_window(grid, x, y, side)
-        for down, across in ((i, j) for i in (0, -1, 1) for j in (0, -1, 1)):
-            by = side * (2 if down and across else 3) // 8  # farther off the middle a seam would but clip a corner
-            moved = window.moved_by(by * across, by * down).moved_into(grid.columns, grid.rows)
-            if is_valid(moved):
-                return moved
-        side //= 2
-        if side < SMALLEST_SIDE_PX:
-            return None
 
 
 class Notes(dict[str, str]):

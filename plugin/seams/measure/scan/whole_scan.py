@@ -18,9 +18,9 @@ import numpy as np
 from osgeo import ogr
 from scipy.spatial import cKDTree
 
-from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamsElsewhereError
 from ....imagery.file_identity import known_states, states_text
+from ....imagery.grids import shared_extent
 from ....imagery.lines import points_along
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
@@ -36,13 +36,14 @@ from ..profile.cell_table import CELL_PX
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, SidedSeam, around_pieces, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, rectangle, seams_of, trace_borders
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
 from . import piece_sums, scan_result
 from .block_runs import BlockRun, ScanInputs, ScanJournal, ScanStep, journal_beside
 from .followed_ground import LEAST_BESIDE, LEAST_UNEXPLAINED, FollowedGround, common_shift
 from .lone_scan import LoneScanning
+from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .scan_request import ScanRequest, scan_request
 from .scan_result import JudgedPiece, PieceFigures, ScanResult
 
@@ -77,7 +78,7 @@ class Gathering:
         CancelledError.
         """
         request, settings = self._request, self._request.settings
-        picture = piece_sums.loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
+        picture = loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
         with picture as raster:
             known = given_polygons(request)
             borders = self._borders(raster, workers.part(0, _TRACED), not (request.given and known))
@@ -178,7 +179,7 @@ class Gathering:
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
-    def _borders(self, raster: piece_sums.LossRaster | None, workers: Workers, traces: bool) -> list[SidedSeam]:
+    def _borders(self, raster: LossRaster | None, workers: Workers, traces: bool) -> list[SidedSeam]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
         edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
         cell_px = self._request.settings.cell_px if raster is not None else 0
@@ -189,7 +190,7 @@ class Gathering:
             # Their sources are numbered in the order in which the picture of losses meets them.
             shown = {source: self._shown.setdefault(source, len(self._shown) + 1) for source in block.sources}
             if raster is not None and block.cells is not None:
-                cells, band = block.cells.copy(), piece_sums.SOURCE_BAND - 1
+                cells, band = block.cells.copy(), SOURCE_BAND - 1
                 for source, number in shown.items():
                     cells[band][block.cells[band] == source + 1] = number
                 raster.write(*block.key, cells)
@@ -370,13 +371,6 @@ def scan(
             whole.finish()
     result = result if block.sheet is None else _of_sheet(result, block.sheet, len(block.mosaic.ref.parts))
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
-
-
-def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
-    """A rectangle as a polygon."""
-    return ogr.CreateGeometryFromWkt(
-        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
-    )
 
 
 def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:

@@ -241,6 +241,13 @@ def polygons_of(borders: Iterable[SidedSeam]) -> list[SourcePolygon]:
     return polygons
 
 
+def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
+    """A rectangle as a polygon."""
+    return ogr.CreateGeometryFromWkt(
+        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
+    )
+
+
 def multipolygon(geometries: Iterable[ogr.Geometry]) -> ogr.Geometry:
     """All polygons in some geometries."""
     whole = ogr.Geometry(ogr.wkbMultiPolygon)

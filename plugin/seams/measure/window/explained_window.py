@@ -23,7 +23,7 @@ from ..judgement.verdicts import (
     Ratios,
     Verdict,
     curve_ratios,
-    judge,
+    judge_curves,
     judge_profile,
     judge_without_profile,
 )
@@ -133,7 +133,7 @@ def _judged(paper: Judgement, mosaic: Curve, explanation: Explanation, band: str
         # What the mosaic does not follow is cut at random, unless the cells say how.
         if explanation.is_unclear and not request.cells:
             return replace(paper, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
-        against = judge(mosaic, [explanation.curves[band]], settings.max_ratio)
+        against = judge_curves(mosaic, [explanation.curves[band]], settings.max_ratio)
         return replace(paper, verdict=against.verdict, reason=against.reason)
     return paper
 

@@ -35,7 +35,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 @dataclass(frozen=True)
 class Block:
-    """A mosaic and the orthoimages it may have been made from."""
+    """A mosaic and the orthoimages it may have been made from; no block of a scan, which is a square of pixels."""
 
     mosaic: Raster
     """North-up, on the map."""

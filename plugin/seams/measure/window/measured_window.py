@@ -23,7 +23,7 @@ from ....imagery.rasters import Raster
 from ....imagery.wavelets import Curve, check_decomposition, judged_plane, measure_bands, measure_directions
 from .. import limits, messages
 from ..compared_image import MeasuredClip, read_grey_clip
-from ..judgement.verdicts import Judgement, Ratios, Verdict, judge
+from ..judgement.verdicts import Judgement, Ratios, Verdict, judge_curves
 from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
 from ..source_images import Source, images_in_parts, whole_images_of_clips
@@ -221,7 +221,7 @@ def measure_window(
     notices += [messages.SOURCE_RESAMPLED(name=source.clip.raster.ref.name) for source in shown]
     as_they_are = [source for source in judged if not source.clip.resampled] or judged
     whole = [source.curves[band] for source in as_they_are if source.clip.valid is None]
-    paper = judge(mosaic.curves[band], whole, request.settings.max_ratio)
+    paper = judge_curves(mosaic.curves[band], whole, request.settings.max_ratio)
     refused = (*notices, *not_covering)
     notices += images_in_parts(request.sources)
     if not judged and refused and mosaic.curves[band].variance > 0:
@@ -275,14 +275,14 @@ def comparable(
     return sources, notices, not_covering
 
 
-KEPT = 2  # windows with their pixels, some 10 MB each: the one under the mouse, and the one before
+HELD_WINDOWS = 2  # windows with their pixels, some 10 MB each: the one under the mouse, and the one before
 
 
 class MeasuredAhead:
     """A ``MeasureWindow`` that keeps the last windows; who asks for one that is under way waits for it."""
 
     def __init__(self, read_each: ReadEach) -> None:
-        self._measure = lru_cache(KEPT)(lambda request: measure_window(request, read_each))
+        self._measure = lru_cache(HELD_WINDOWS)(lambda request: measure_window(request, read_each))
         self._lock = Lock()
 
     def __call__(self, request: WindowRequest) -> Measured:

@@ -55,7 +55,7 @@ PAIR_COLUMNS = _columns({
 
 
 @dataclass(frozen=True)
-class WindowField(Column):  # of WindowResult; said so typing would keep the plugin when it is unloaded
+class WindowField(Column):  # Column[WindowResult] would be kept by typing, and with it an unloaded plugin
     """A column of OUTPUT, and of every window layer: also what it is called."""
 
     value: Callable[[WindowResult], Any] = lambda result: None

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
-from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT, Kept, together
+from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT_LOW, Kept, together
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure, SeamProfile
 
 from tests.numbers.seams.profile.blends import SIDE, Blend, blend
@@ -132,8 +132,8 @@ def test_a_soft_brush_is_no_mixture_whatever_the_tones(sigma: float, gain: float
 
 def test_energies_that_no_seam_has_do_not_judge() -> None:
     mixture = kept(0.98, 0.9, 1.06)
-    assert judged(kept(1.2, MOST_KEPT + 0.001, 1.4), mixture) == (0.98, Measure.MIXTURE)
-    assert judged(kept(1.2, MOST_KEPT, 1.4), mixture)[1] is Measure.BOTH
+    assert judged(kept(1.2, MOST_KEPT_LOW + 0.001, 1.4), mixture) == (0.98, Measure.MIXTURE)
+    assert judged(kept(1.2, MOST_KEPT_LOW, 1.4), mixture)[1] is Measure.BOTH
     assert judged(kept(1.2, 1.1, 1.4), NOTHING) == (1.2, Measure.ENERGY)
 
 

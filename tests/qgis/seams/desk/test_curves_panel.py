@@ -16,7 +16,7 @@ from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import CurvesChart
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
+from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge_curves
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
@@ -66,7 +66,7 @@ def make_result(
         )
         for n in range(sources)
     ]
-    judgement = judge(clips[0].curves[bands[0]], [clip.curves[bands[0]] for clip in clips[1:]])
+    judgement = judge_curves(clips[0].curves[bands[0]], [clip.curves[bands[0]] for clip in clips[1:]])
     return WindowResult(window_id, PixelWindow(0, 0, 512, 512), judgement, judgement.verdict, tuple(clips))
 
 

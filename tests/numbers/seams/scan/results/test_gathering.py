@@ -16,7 +16,7 @@ from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABE
 from seam_inspector.plugin.seams.measure.blocks.scan_block import LACKING, BlockScan
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.profile.cell_table import CellTable, MixtureTable
-from seam_inspector.plugin.seams.measure.scan.piece_sums import NODATA as NO_LOSS
+from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan

@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, CELLS_PX
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
-from seam_inspector.plugin.seams.measure.scan.piece_sums import BANDS, NODATA, loss_cells, loss_raster
+from seam_inspector.plugin.seams.measure.scan.loss_raster import BANDS, NODATA, loss_cells, loss_raster
 
 from tests.numbers.seams.profile.blends import SIDE, blend, spread
 from tests.numbers.seams.scan.results.one_window import scan_of_window
