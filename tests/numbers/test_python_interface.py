@@ -188,8 +188,6 @@ def test_results_are_the_same_after_a_journey(block: Block, scanned: ScanResult,
     assert travelled == results
     assert [*map(hash, travelled)] == [*map(hash, results)]
     assert replace(scanned, pieces=scanned.pieces[1:]) != scanned
-    with pytest.raises(TypeError, match="can't be changed"):
-        travelled[0].told.pop("levels")
     back = travelled[1]
     assert [str(sentence) for sentence in back.sentences] == [str(sentence) for sentence in decision.sentences]
     assert "%" in " ".join(map(str, decision.sentences))

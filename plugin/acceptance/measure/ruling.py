@@ -96,13 +96,9 @@ class Ruling:
         return math.fsum(decided.blank_m for decided in self.pieces) + others
 
     @cached_property
-    def _known_within(self) -> float:
-        return known_within(self.pieces, self.rules.least_kept)
-
-    @property
     def _within(self) -> float:
         """Half the 95 % interval of the metres that failed, where something is known of them; m."""
-        return math.hypot(self._known_within, self._open_ends)
+        return math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends)
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
@@ -164,18 +160,11 @@ class Ruling:
         if is_blank or (figures.not_measured_m and (MEASURED_SHARE in is_open or not figures.measured_m or is_short)):
             return self._would_measure(has_sources, MEASURED_SHARE in is_open)
         within = self._open_ends
-        if share is not None and within > 0 and not self._is_known_by_look(share):
+        if share is not None and within:  # which no look at whole pieces tells
             return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
         if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
             return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)
         return None
-
-    def _is_known_by_look(self, rule: AcceptanceRule) -> bool:
-        """Whether a share is known once an operator told of each unclear piece whether it failed, whatever he says."""
-        figures, ends = self.figures, np.array([-1, 1]) * self._open_ends
-        least_m = figures.failed_m - figures.failed_unclear_m
-        shares = ((failed_m + ends) / figures.measured_m for failed_m in (least_m, least_m + figures.unclear_m))
-        return all(rule.passes(low) is rule.passes(high) for low, high in shares)
 
     def _typical_m(self) -> float:
         return float(np.median([decided.piece.length_m for decided in self.pieces]))

@@ -301,8 +301,8 @@ SCAN_WITHOUT_SEAMS = Message(
 # what pieces of seam keep
 PIECE_NOT_MEASURED = Message("There is too little texture along this piece to measure it; judge it by eye.")
 PIECE_NOT_COMPARED = Message(
-    "Too little of the ground beside this piece can be compared: an orthoimage ends there, or none shows what the mosaic "
-    "does; judge it by eye, or give the orthoimages that it was made from."
+    "Too little of the ground beside this piece can be compared: an orthoimage ends there, or none shows what the "
+    "mosaic does; judge it by eye, or give the orthoimages that it was made from."
 )
 PIECE_TOO_SHORT = Message(
     "This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by "

@@ -89,7 +89,7 @@ def _mixed(energies: np.ndarray) -> float:
             ratio = lost.sum() / max(apart.sum(), np.finfo(float).tiny)
             within = NORMAL_95 * math.hypot(*(lost - ratio * apart)) / max(apart.sum(), np.finfo(float).tiny)
             mixed = ratio / (1 + ratio)
-            most = 2 * (1 - mixed) ** 2 / (1 + (1 - mixed) ** 2 + mixed**2)  # it leaves of images that are nothing alike
+            most = 2 * (1 - mixed) ** 2 / (1 + (1 - mixed) ** 2 + mixed**2)  # of images that are nothing alike
             if ratio - within > LEAST_MIXED and apart.sum() < (most + _MORE_APART) * (aa + bb).sum():
                 share = max(share, float(mixed))
         if not share and differing and min(differing) < max(LEAST_APART, LEAST_OF_APART * max(differing)):

@@ -192,19 +192,6 @@ def worst_windows(
     return worst
 
 
-class Notes(dict[str, str]):
-    """Words by their keys; nobody changes them."""
-
-    def _refuse(self, *_: Any, **__: Any) -> Any:
-        raise TypeError("what a scan tells can't be changed; take dict(told)")
-
-    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse
-
-    def __reduce__(self) -> tuple[type[Notes], tuple[dict[str, str]]]:
-        """What a copy, or another process, makes it of."""
-        return Notes, (dict(self),)
-
-
 @dataclass(frozen=True)
 class ScanResult:
     """What a scan tells."""
@@ -235,9 +222,6 @@ class ScanResult:
     Figures of 0 are left out, but for ``unexplained``, ``metres`` and the reference ``system``."""
     sources: tuple[str, ...] = ()
     """Names of the orthoimages, parts of one image as one, by the numbers of ``polygons``."""
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "told", Notes(self.told))
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:
