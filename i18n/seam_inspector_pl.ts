@@ -11152,22 +11152,22 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
         <source>along {metres:.0f} of {judged:.0f} m of seam that are judged both sides show the same orthoimage, and {limit:.0%} may</source>
-        <translation type="unfinished"></translation>
+        <translation>wzdłuż {metres:.0f} z {judged:.0f} m ocenianych linii mozaikowania po obu stronach widać ten sam ortoobraz, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>beside {judged:.0f} m of seam that are judged the scan saw the mosaic change from one orthoimage to another along {metres:.0f} m, the longest around {place}, and {limit:.0%} may lack</source>
-        <translation type="unfinished"></translation>
+        <translation>obok {judged:.0f} m ocenianych linii mozaikowania skan widział, że ortofotomapa przechodzi z jednego ortoobrazu w drugi wzdłuż {metres:.0f} m, najdłużej w pobliżu {place}, a brakować może {limit:.0%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="139"/>
         <source>What would decide it: a scan with the orthoimages that the mosaic was made from, complete and unchanged. Along {metres:.0f} m, such as at {place}, pixels are missing or were changed, or those that were given do not explain the mosaic; ask the producer for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: skanowanie z kompletnymi i niezmienionymi ortoobrazami, z których powstała ortofotomapa. Wzdłuż {metres:.0f} m, na przykład w {place}, brakuje pikseli lub je zmieniono, albo podane ortoobrazy nie wyjaśniają ortofotomapy; poproś o nie wykonawcę.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>What would decide it: a scan with seamlines that lie wherever the mosaic changes from one orthoimage to another, and nowhere else, or with none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Co by rozstrzygnęło: skanowanie z liniami mozaikowania, które leżą wszędzie tam, gdzie ortofotomapa przechodzi z jednego ortoobrazu w drugi, i nigdzie indziej, albo bez linii.</translation>
     </message>
 </context>
 </TS>
