@@ -604,7 +604,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="247"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3441,12 +3441,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="129"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="129"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -3500,7 +3500,7 @@
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="107"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
@@ -6006,7 +6006,7 @@
         <translation>niezgodne odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="96"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="93"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
@@ -6050,22 +6050,22 @@
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -7866,12 +7866,12 @@
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="124"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
@@ -7931,7 +7931,7 @@
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -9012,10 +9012,6 @@
         <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
     </message>
     <message>
-        <source>Visible loss, in just noticeable differences (JND) of contrast at 2x on a screen; below 1 an eye does not see it. A piece fails by the detail that it lost, whether an eye sees that or not.</source>
-        <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać. O niezgodności odcinka decydują utracone detale, niezależnie od tego, czy oko to widzi.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="13"/>
         <source>Pieces of seam outside of all sheets: {count}. They are listed under their layer&apos;s name.</source>
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
@@ -9301,11 +9297,6 @@
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
-        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
-        <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
@@ -9341,7 +9332,7 @@
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
@@ -9591,11 +9582,6 @@
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="87"/>
-        <source>{loss}, not visible</source>
-        <translation>{loss}, niewidoczna</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="33"/>
@@ -10094,21 +10080,16 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
-        <source>given: {judged}, found: {seen}</source>
-        <translation>podane: {judged}, znalezione: {seen}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="205"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10475,12 +10456,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10575,12 +10556,12 @@
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
@@ -10768,7 +10749,7 @@
         <translation>; arkusze odrzucone same w sobie: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="129"/>
         <source>open</source>
         <translation>nierozstrzygnięte</translation>
     </message>
@@ -11106,7 +11087,7 @@
         <translation>nie podano ich albo nie można odczytać ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="231"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
         <source>; with those that meet {joined}</source>
         <translation>; z tymi, które się stykają, {joined}</translation>
     </message>
@@ -11168,6 +11149,20 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>What would decide it: a scan with seamlines that lie wherever the mosaic changes from one orthoimage to another, and nowhere else, or with none.</source>
         <translation>Co by rozstrzygnęło: skanowanie z liniami mozaikowania, które leżą wszędzie tam, gdzie ortofotomapa przechodzi z jednego ortoobrazu w drugi, i nigdzie indziej, albo bez linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <source>given: {judged}</source>
+        <translation>podane: {judged}</translation>
+    </message>
+    <message>
+        <source>Visible loss: just noticeable differences (JND) of contrast at 2x on a screen, by a model of an eye. A piece fails by the detail that it lost, whatever an eye sees of that.</source>
+        <translation>Widoczna strata: wielokrotność ledwie zauważalnej różnicy (JND) kontrastu w powiększeniu 2x na ekranie, według modelu oka. O niezgodności odcinka decydują utracone detale, niezależnie od tego, co widzi oko.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, no seam is judged, or neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
+        <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, nie oceniono żadnej linii albo żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
 </context>
 </TS>

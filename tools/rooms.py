@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(4671, 0, 0),
     "plugin/seams/measure": Measures(16297, 1, 0),
     "plugin/seams": Measures(12982, 0, 0),
-    "plugin/acceptance": Measures(5398, 1, 0),
+    "plugin/acceptance": Measures(5400, 1, 0),
     "plugin/toolkit": Measures(4307, 0, 0),
     "plugin/noise": Measures(1922, 0, 0),
     "plugin/radiometry": Measures(1988, 0, 0),

@@ -11,7 +11,7 @@ from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import SOURCE_FILES
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRules, limits_in_words
-from .decision import AcceptanceOutcome, DecidedPiece, Decision, MetreFigures, RuleOutcome
+from .decision import AcceptanceOutcome, DecidedPiece, Decision, RuleOutcome
 from .delivery import Delivery, Seal
 from .doubts import Doubt, against_any, lacking, layer_sentences, unsealed
 from .failure_runs import failure_runs, unknown_runs
@@ -78,7 +78,8 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         *(first_advice if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *(messages.OPEN_BESIDES(why=reason) for reason in besides),
         *layer_sentences(delivery),
-        *_figures(whole),
+        *((messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m),) if whole.no_detail_m else ()),
+        *((messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m),) if whole.not_measured_m else ()),
         *_looked_at(delivery),
         *(() if lot is None else lot[2]),
     )
@@ -148,10 +149,3 @@ def _looked_at(delivery: Delivery) -> Iterator[Message]:
         visible, invisible = (sum(window.observer == word for window in windows) for word in ("visible", "invisible"))
         causes = sum(bool(window.cause) for window in windows)
         yield messages.WINDOWS_GIVEN(count=len(windows), causes=causes, visible=visible, invisible=invisible)
-
-
-def _figures(whole: MetreFigures) -> Iterator[Message]:
-    if whole.no_detail_m:
-        yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
-    if whole.not_measured_m:
-        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)

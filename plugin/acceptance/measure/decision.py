@@ -58,7 +58,7 @@ class DecidedPiece:
             return Unmeasured.ROUGH
         if self.cover is None:
             return Unmeasured.OTHER
-        if self.cover.is_short and min(self.cover.side, self.cover.most) >= COVERED:
+        if self.cover.is_short:
             return Unmeasured.SHORT
         return Unmeasured.UNCOVERED if self.cover.both < COVERED else Unmeasured.UNEXPLAINED
 
@@ -226,11 +226,6 @@ class Defect:
     @property
     def worst(self) -> DecidedPiece:
         return min(self.pieces, key=lambda decided: inf if decided.piece.kept_1 is None else decided.piece.kept_1)
-
-    @property
-    def unclear_m(self) -> float:
-        """Metres of it in pieces whose interval holds the limit."""
-        return sum(decided.piece.length_m for decided in self.pieces if decided.is_unclear)
 
     @property
     def cause(self) -> str:

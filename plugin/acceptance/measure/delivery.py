@@ -161,9 +161,8 @@ class SeamCover(NamedTuple):
     """What the two orthoimages beside a piece show of the strip along it; shares from 0 to 1."""
 
     side: float  # of its half, what the one shows that shows less, as far as the seam is known
-    most: float  # of the strip, what the one shows that shows more, likewise
     both: float  # of the strip, what both show at least
-    is_short: bool = False  # whether it is too short to be measured, or short where an orthoimage ends beside it
+    is_short: bool = False  # whether what is there of it is too short to be measured, or the mosaic ends along it
 
 
 @dataclass(frozen=True)

@@ -118,8 +118,8 @@ BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO)
 BORDER_HIDDEN = Message(
-    "along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these "
-    "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
+    "along {metres:.0f} m between two orthoimages, the longest around {place}, no seam is judged, or neither explains "
+    "the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
 SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
 BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}", INFO)
 BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %", INFO)

@@ -4,29 +4,27 @@ A mosaic that was made of an orthoimage has its pixels where it shows it. Beyond
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import cache, lru_cache
 from pathlib import PureWindowsPath
-from typing import Callable
 
 import numpy as np
-from osgeo import ogr
-from scipy.ndimage import maximum_filter
+from scipy.ndimage import maximum_filter, minimum_filter
 
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
-from ...imagery.lines import burnt, line_wkt
+from ...imagery.lines import points_along
 from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.raster_pool import KEPT_OPEN
-from ...imagery.rasters import Raster, RasterRef
+from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import transform_points
 from .delivery import DeliveredPiece, SeamCover
 
 COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
-_STRIP_PX = 8.0  # on either side of a seam: what a scan judges by
-_ASIDE_PX = 2  # that a seam may lie aside of where it was found
-_LEAST_PX, _SHORTER = 62.5, 0.75  # of what is measured of a piece; times a typical one, less than which is a rest
+_STRIP_PX = 8  # on either side of a seam: what a scan judges by
+_CELL_PX = 4  # of labels, which a seam may lie aside by, and of what is measured, where it is whole
+_LEAST_PX, _SHORTER = 78.0, 0.75  # that scans make pieces long at least; times a typical one, less is a rest
 
 
 def file_stem(name: str) -> str:
@@ -35,52 +33,67 @@ def file_stem(name: str) -> str:
 
 
 def seam_cover(
-    pieces: Sequence[DeliveredPiece], wkt: str, paths: Iterable[str], not_given: Collection[str] = ()
+    pieces: Sequence[DeliveredPiece], wkt: str, mosaics: Sequence[str], paths: Sequence[str],
+    not_given: Collection[str] = (),
 ) -> dict[int, SeamCover]:
-    """Shares by the numbers of those pieces whose orthoimages can be read; ``paths``: of all; ``not_given``: names of
-    those that the scan lacked.
+    """Shares by the numbers of those pieces whose orthoimages can be read, where the mosaic has pixels itself.
 
-    Where a piece that was not measured does not name both, they are those two that show most of it.
+    ``mosaics`` and ``paths``: of all; ``not_given``: names of those that the scan lacked. Where a piece that was not
+    measured does not name both, they are those two that show most of it.
     """
-    by_stem, opened = {file_stem(path): path for path in reversed([*paths])}, lru_cache(KEPT_OPEN)(OpenRaster)
+    by_stem, opened = {file_stem(path): path for path in reversed(paths)}, lru_cache(KEPT_OPEN)(OpenRaster)
     described, missing = cache(lambda path: describe(RasterRef(path))), {*map(file_stem, not_given)}
-    typical_m = np.median([piece.length_m for piece in pieces]) if pieces else 0.0
-    cover: dict[int, SeamCover] = {}
-    for piece in pieces:
-        names = [file_stem(name) for name in (piece.left_source, piece.right_source) if name]
-        beside = [by_stem[name] for name in names if name in by_stem]
-        lacks = piece.kept_1 is None and not missing.isdisjoint(names)
-        if piece.kept_1 is None and len(names) < 2 and not lacks:
-            beside = [*by_stem.values()]
-        shares = [(0.0, 0.0, 0.0)] * 2 if lacks else []
-        for path in beside:
+    typical_m, cover = np.median([piece.length_m for piece in pieces] or [0.0]), dict[int, SeamCover]()
+
+    def shown(files: Iterable[str], strip: np.ndarray) -> Iterator[np.ndarray]:
+        for path in files:
             with suppress(RasterError):
-                shares.append(_shown_shares(described(path), opened, piece.vertices, wkt))
-        if len(shares) > 1:
-            (less_near, less, pixel_m), (most_near, most, _) = sorted(shares)[-2:]
-            both = max(less + most - 1, 0.0)
-            shown_m = piece.length_m * (both if piece.length_m < _SHORTER * typical_m else 1.0)
-            is_short = shown_m < _LEAST_PX * pixel_m
-            cover[piece.number] = SeamCover(min(2 * less_near, 1.0), most_near, both, is_short)
+                raster = described(path)
+                yield _shown(opened(raster.ref), transform_points(strip, wkt, raster.wkt))
+
+    for piece in pieces:
+        is_blank = piece.kept_1 is None
+        stems = [file_stem(name) for name in (piece.left_source, piece.right_source) if name]
+        if is_blank and not missing.isdisjoint(stems):
+            cover[piece.number] = SeamCover(0.0, 0.0)
+            continue
+        is_nameless = is_blank and len(stems) < 2
+        beside = [*by_stem.values()] if is_nameless else [by_stem[stem] for stem in stems if stem in by_stem]
+        with suppress(RasterError, IndexError):  # of the first, which says how large pixels are
+            pixel_m = described(beside[0]).ground_sample_distance
+            strip = _strip(piece, pixel_m)
+            of_mosaics = [*shown(mosaics, strip)] if is_blank else []
+            in_mosaic = np.any(of_mosaics or [np.ones((3, len(strip)), bool)], axis=0)
+            by_cover = sorted(shown(beside, strip[in_mosaic[1]]), key=lambda pixels: pixels[0].sum())
+            less, most = by_cover[-2], by_cover[-1]
+            side, both = min(2 * less[0].mean(), 1.0), (less[1] & most[1]).mean()
+            rest = (less[2] & most[2]).mean() if piece.length_m < _SHORTER * typical_m else 1.0
+            is_short = piece.length_m * in_mosaic[2].mean() * rest < _LEAST_PX * pixel_m
+            is_short &= min(side, most[0].mean()) >= COVERED  # else nobody knows what is hidden
+            cover[piece.number] = SeamCover(float(side), float(both), bool(is_short))
     return cover
 
 
-def _shown_shares(
-    raster: Raster, opened: Callable[[RasterRef], OpenRaster], vertices: np.ndarray, wkt: str
-) -> tuple[float, float, float]:
-    """Shares of the strip along a line for which an orthoimage has pixels nearby, and there; metres of a pixel."""
-    on_image = transform_points(vertices, wkt, raster.wkt)
-    pixels = raster.grid.to_pixels(on_image)
-    left, top = np.floor(pixels.min(axis=0) - _STRIP_PX).astype(int).tolist()
-    width, height = (np.ceil(pixels.max(axis=0) + _STRIP_PX).astype(int) - (left, top)).tolist()
-    around = PixelWindow(left, top, width, height)
-    inside = around.cut_to(raster.columns, raster.rows)
-    if not (inside.width > 0 and inside.height > 0):
-        return 0.0, 0.0, raster.ground_sample_distance
-    line = ogr.CreateGeometryFromWkt(line_wkt(on_image))
-    strip = burnt([(line.Buffer(_STRIP_PX * raster.grid.pixel_width), 1)], raster.grid, around, 0) == 1
-    valid = np.zeros(strip.shape, bool)
-    valid[inside.row - top :, inside.column - left :][: inside.height, : inside.width] = (
-        opened(raster.ref).read(inside).valid)
-    near = maximum_filter(valid, 2 * _ASIDE_PX + 1)
-    return float(near[strip].mean()), float(valid[strip].mean()), raster.ground_sample_distance
+def _strip(piece: DeliveredPiece, pixel_m: float) -> np.ndarray:
+    """Places of the strip along a piece, (n, 2), a pixel apart, in its reference system."""
+    pixel = pixel_m * float(np.hypot(*np.diff(piece.vertices, axis=0).T).sum()) / piece.length_m
+    course = points_along(piece.vertices, pixel)
+    along = np.gradient(course, axis=0)
+    normal = along[:, ::-1] * (1, -1) / np.maximum(np.hypot(*along.T), np.finfo(float).tiny)[:, np.newaxis]
+    aside = (np.arange(-_STRIP_PX, _STRIP_PX) + 0.5) * pixel
+    return (course[:, np.newaxis] + aside[:, np.newaxis] * normal[:, np.newaxis]).reshape(-1, 2)
+
+
+def _shown(opened: OpenRaster, places: np.ndarray) -> np.ndarray:
+    """Whether a raster has a pixel near a place, there, and all around it; (3, n) bool."""
+    raster = opened.raster
+    pixels = np.floor(raster.grid.to_pixels(places)).astype(int)
+    left, top = (pixels.min(axis=0) - _CELL_PX).tolist()
+    width, height = (pixels.max(axis=0) + _CELL_PX + 1 - (left, top)).tolist()
+    inside = PixelWindow(left, top, width, height).cut_to(raster.columns, raster.rows)
+    valid = np.zeros((height, width), bool)
+    if inside.width > 0 and inside.height > 0:
+        valid[inside.row - top :, inside.column - left :][: inside.height, : inside.width] = opened.read(inside).valid
+    columns, rows = (pixels - (left, top)).T
+    masks = maximum_filter(valid, 2 * _CELL_PX + 1), valid, minimum_filter(valid, _CELL_PX + 1)
+    return np.stack([mask[rows, columns] for mask in masks])

@@ -160,7 +160,7 @@ class Ruling:
         if is_blank or (figures.not_measured_m and (MEASURED_SHARE in is_open or not figures.measured_m or is_short)):
             return self._would_measure(has_sources, MEASURED_SHARE in is_open)
         within = self._open_ends
-        if share is not None and within:  # which no look at whole pieces tells
+        if share is not None and within > known_within(self.pieces, self.rules.least_kept):
             return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
         if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
             return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)

@@ -54,7 +54,7 @@ def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[st
         0 if mosaics else len(by_mosaic),
         seam_cover(
             [piece for piece in delivery.pieces if piece.has_detail], delivery.wkt,
-            of_sources.places_of(of_sources.files), delivery.not_given,
+            of_mosaic.places_of(of_mosaic.files), of_sources.places_of(of_sources.files), delivery.not_given,
         ),
     )
 

@@ -80,7 +80,11 @@ def _most(name: str, scan: Mapping[str, str]) -> float:
 def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
     """Why seams that are in no figure may be what decides, what weighs most first."""
     ground = SeenGround.of_delivery(delivery)
-    unseen, unchanged, hidden = map(ground.total, ("unseen_metres", "unchanged_metres", "hidden_metres"))
+    unseen, unchanged = map(ground.total, ("unseen_metres", "unchanged_metres"))
+    hidden = math.fsum(  # what a scan lacks that looked for seams by itself is nobody's choice
+        SeenGround((scan,)).total("unseen_metres" if scan.get("seams") == "given" else "hidden_metres")
+        for scan in ground.scans
+    )
     unseen_at = ground.place("unseen_at", "unseen_longest") or "-"
     if unseen + unchanged > MOST_APART * (whole.total_m + unseen):
         figures = {"judged": whole.total_m, "limit": MOST_APART}
@@ -97,5 +101,5 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
         if not share.passes(failed):
             yield messages.BORDER_HIDDEN(
                 metres=hidden, value=failed, limit=Stated(share.limit),
-                place=ground.place("hidden_at", "hidden_longest") or "-",
+                place=ground.place("hidden_at", "hidden_longest") or unseen_at,
             )

@@ -198,8 +198,7 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     unseen, unchanged = ground.total("unseen_metres"), ground.total("unchanged_metres")
     unexplained, nodata = ground.most("unexplained"), ground.most("nodata_inside")
     is_given = any("given" in scan.get("seams", "") for scan in ground.scans)
-    words = filled(tr("given: {judged}, found: {seen}") if is_given else tr("found: {judged}"), judged=metres(judged),
-        seen=metres(judged - unchanged + unseen))
+    words = filled(tr("given: {judged}") if is_given else tr("found: {judged}"), judged=metres(judged))
     if apart := unseen + unchanged:
         words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
             tr("; borders without a measured seam: {unseen}")
@@ -211,7 +210,7 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         (names[2], nodata, share(nodata, 1), ground.place("nodata_at", "nodata_inside")),
     ):
         where = filled(tr("; most of it around {place}"), place=place) if place else ""
-        is_reason = decision.accepted is not True and figure > 0 and name != names[2]
+        is_reason = decision.accepted is not True and figure > 0 and name in names[not is_given : 2]
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
@@ -277,6 +276,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
     sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
     across, up = np.subtract(defect.pieces[-1].piece.middle, defect.pieces[0].piece.middle)
     ends = {"west": across, "east": -across, "south": up, "north": -up}
+    unclear_m = math.fsum(decided.piece.length_m for decided in defect.pieces if decided.is_unclear)
     cause, remark = tr(defect.cause) if defect.cause else "", "; ".join(defect.remarks)
     return {
         "number": defect.run.number,
@@ -285,7 +285,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
         "kept": kept,
         "begins": max(ends, key=ends.__getitem__) if len(defect.pieces) > 1 else "",
         "pieces": ", ".join(share_beside(decided.piece.kept_1, least_kept) for decided in defect.pieces),
-        "unclear": filled(tr("{length} unclear"), length=metres(defect.unclear_m)) if defect.unclear_m else "",
+        "unclear": filled(tr("{length} unclear"), length=metres(unclear_m)) if unclear_m else "",
         "band": _band_words(piece),
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),

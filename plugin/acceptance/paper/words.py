@@ -80,11 +80,8 @@ def share_beside(value: float | None, limit: float) -> str:
 
 
 def jnd_words(value: float | None) -> str:
-    """A visible loss, and whether an eye sees it, which is what rounding keeps."""
-    if value is None:
-        return ""
-    shown = f"{_beside(value, 1.0, 1)}\u00a0JND"
-    return shown if value >= 1 else filled(tr("{loss}, not visible"), loss=shown)
+    """How visible a loss is, rounded to the same side of what an eye just sees."""
+    return "" if value is None else f"{_beside(value, 1.0, 1)}\u00a0JND"
 
 
 def _beside(value: float, limit: float, decimals: int) -> str:

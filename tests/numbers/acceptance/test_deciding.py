@@ -30,7 +30,7 @@ from tests.numbers.acceptance.deliveries import delivery, rules, seam
 ACCEPTED, REJECTED, UNDECIDED = AcceptanceOutcome
 KEPT = st.one_of(st.none(), st.floats(0.0, 1.3))
 SAMPLING = SamplingRule("1.0", "II", "contract")
-LACKING, SHORT = SeamCover(0.5, 1.0, 0.2), SeamCover(1.0, 1.0, 1.0, is_short=True)
+LACKING, SHORT = SeamCover(0.5, 0.2), SeamCover(1.0, 1.0, is_short=True)
 
 
 @given(st.lists(st.tuples(st.lists(KEPT, min_size=1, max_size=12), st.floats(0.5, 40)), min_size=1, max_size=5),
@@ -169,7 +169,7 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
 @pytest.mark.parametrize(("count", "failed", "low", "cover", "outcome"), [
     (3, 0, None, LACKING, UNDECIDED), (2, 0, None, LACKING, ACCEPTED), (3, 3, None, LACKING, REJECTED),
     (3, 2, None, LACKING, UNDECIDED), (3, 0, None, SHORT, ACCEPTED), (3, 0, 0.5, LACKING, ACCEPTED),
-    (3, 0, None, SHORT._replace(most=0.6, both=0.2), UNDECIDED), (50, 0, 0.5, LACKING, UNDECIDED),
+    (3, 0, None, SHORT._replace(is_short=False, both=0.2), UNDECIDED), (50, 0, 0.5, LACKING, UNDECIDED),
     (3, 0, None, SHORT._replace(is_short=False), UNDECIDED),
 ])  # fmt: skip
 def test_what_orthoimages_do_not_show_counts_as_the_worst_that_it_may_be(
@@ -193,7 +193,7 @@ def test_a_piece_that_passed_by_a_part_hides_what_orthoimages_do_not_show(
     count: int, outcome: AcceptanceOutcome
 ) -> None:
     made = delivery(seam([0.95] * 100))
-    made = replace(made, files=replace(made.files, cover=dict.fromkeys(range(count), SeamCover(0.2, 1.0, 0.2))))
+    made = replace(made, files=replace(made.files, cover=dict.fromkeys(range(count), SeamCover(0.2, 0.2))))
     assert decide(made, rules(run=None)).outcome is outcome
 
 

@@ -38,7 +38,7 @@ def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: Accep
 def test_lines_along_which_nothing_changes_leave_it_open() -> None:
     decision = decided(said(seams="given", unchanged_metres="60.0"))
     assert decision.outcome is AcceptanceOutcome.UNDECIDED
-    assert "along 60 m of them both sides show the same orthoimage" in str(decision.sentences[0])
+    assert "m of seam that are judged both sides show the same orthoimage" in str(decision.sentences[0])
 
 
 def test_one_border_longer_than_a_failure_may_be_leaves_it_open() -> None:

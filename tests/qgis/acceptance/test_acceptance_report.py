@@ -77,8 +77,8 @@ def test_failures_that_are_unclear_or_that_no_eye_sees_are_marked(tmp_path: Path
     assert first[5] == ""  # nothing known
     assert "(2019-07-04)" in first[6]
     assert "(2019-08-11)" in first[6]
-    assert (second[2], second[5]) == ("25.0 m", "0.9 JND, not visible")
-    assert "A piece fails by the detail that it lost, whether an eye sees that or not." in page.words
+    assert (second[2], second[5]) == ("25.0 m", "0.9 JND")
+    assert "A piece fails by the detail that it lost, whatever an eye sees of that." in page.words
 
 
 def test_an_accepted_delivery_has_no_failures(tmp_path: Path) -> None:
@@ -129,7 +129,7 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
 
 def test_why_pieces_were_not_measured_is_told_by_kinds(tmp_path: Path) -> None:
     plain = decided()
-    covers = SeamCover(0.5, 1, 0), SeamCover(1, 1, 0.5), SeamCover(1, 1, 1), SeamCover(1, 1, 1, is_short=True)
+    covers = SeamCover(0.5, 0), SeamCover(1, 0.5), SeamCover(1, 1), SeamCover(1, 1, is_short=True)
     blank = [replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in plain.delivery.pieces[:5]]
     made = replace(
         plain.delivery, pieces=(*blank, *plain.delivery.pieces[5:]), files=FileDoubts(cover=dict(enumerate(covers)))

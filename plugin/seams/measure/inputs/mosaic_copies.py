@@ -205,11 +205,9 @@ class _Comparison:
             likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])[:MOST_OTHERS]
             theirs = [lacks for other in seen.values() if not np.isnan(lacks := _lacking(shown, other))]
             likest_of_all += _lacking(shown, patch) < min(theirs, default=1.0)
-            if likest_of_all > MOST_FOLLOWED * len(places):
-                return None
             explained = _explained(coarse, [averaged[n] for n in likest]) if likest else np.nan
             missed += explained < LEAST_EXPLAINED
-            if missed > MOST_ELSEWHERE * len(places):
+            if missed > MOST_ELSEWHERE * len(places) or likest_of_all > MOST_FOLLOWED * len(places):
                 return None
             if not np.isnan(explained):
                 first = likest[0]

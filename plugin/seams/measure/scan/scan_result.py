@@ -111,11 +111,9 @@ def judge_piece(
     if profile is None:
         why: Message | None = messages.PIECE_NOT_MEASURED()
         if figures.strip.area_px < MIN_STRIP_PX:
-            needed = LEAST_SEAM_PX * ground_sample_distance
-            is_short = piece.length_m < needed
-            why = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if is_short else (
-                messages.PIECE_NOT_COMPARED()
-            )
+            length, needed = piece.length_m, LEAST_SEAM_PX * ground_sample_distance
+            short = messages.PIECE_TOO_SHORT(length=length, needed=needed)
+            why = short if length < needed else messages.PIECE_NOT_COMPARED()
     # What little is left where detail was brushed away resembles no source.
     elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
         why = messages.COMPOSITE_UNCLEAR()
