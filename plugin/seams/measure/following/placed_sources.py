@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 from scipy import ndimage
 
-from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
+from ....imagery.shifts import Shift, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN
 from .boxes import narrowed
@@ -110,7 +110,9 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     may_lie_elsewhere = bool(idle) and plain.fit < MIN_IDLE_FIT
     if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE and not may_lie_elsewhere:
         return first
-    shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
+    part = plain.unexplained if plain.unexplained.any() else None  # it may be too small, or show nothing
+    shifts = {i: find_shift(image.spectra, other.spectra, part) or find_shift(image.spectra, other.spectra)
+              for i, other in enumerate(images)}
     moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
     if not moved:
         return first
@@ -174,8 +176,3 @@ def _without_idle_planes(both: PlacedSources) -> PlacedSources:
         source_of=tuple(both.source_of[k] for k in kept),
         moves={place: both.moves[k] for place, k in enumerate(kept) if k in both.moves},
     )
-
-
-def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
-    """Shift in the part where it matters; in the whole window where that part is too small or shows nothing."""
-    return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)

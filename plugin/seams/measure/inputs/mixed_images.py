@@ -63,10 +63,7 @@ def mixed_images(
                 clips = [read_clip(opened(sources[name]), mosaic, around, partly=True) for name in (first, second)]
                 energies = _energies(clips, around, piece, mosaic.grid)[:, :, :: 1 if left == first else -1]
                 by_pair[first, second].append((piece, energies))
-    shares = {
-        pair: _mixed(np.concatenate([energies for _, energies in measured], axis=1))
-        for pair, measured in by_pair.items()
-    }
+    shares = {pair: _mixed(np.concatenate([part for _, part in parts], axis=1)) for pair, parts in by_pair.items()}
     if not (names := sorted({name for pair, share in shares.items() if share for name in pair})):
         return [], {}
     beside = [piece for pair, measured in by_pair.items() if shares[pair] for piece, _ in measured]

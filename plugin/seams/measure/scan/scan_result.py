@@ -35,6 +35,10 @@ from ..seamlines.seam_tracing import SourcePolygon
 MOST_GRAIN = 1.5 / 255
 """Rms of a source's finest detail, as a share of white: what sensors leave on even ground, and compression takes."""
 LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
+LEAST_FIT, FAINT = 1 / 3, 2 / 255
+"""Share of the finest detail that its sources explain, and its rms as a share of white: with less a failure may be
+what codecs leave over. Failed truly: 0.37 and 3 DN at least (Brighton, demo block; lossless, JPEG 75, 85); seemingly:
+0.31 and 1.4 DN at most (generated ground of 2 to 20 DN; JPEG and WebP 85 to 95)."""
 MIN_TEXTURE = 0.3  # of the energy that a source would have: with less its detail was brushed away
 
 
@@ -107,6 +111,7 @@ def judge_piece(
     what is white on a screen, DN."""
     piece, profile, state = figures.piece, figures.strip.profile, PieceState.NOT_MEASURED
     left, right = sides
+    fails = profile is not None and (profile.kept[0] or 0) <= STANDARD_LEAST_KEPT
     is_even = figures.grain <= MOST_GRAIN * white  # never where that is not known
     if profile is None:
         why: Message | None = messages.PIECE_NOT_MEASURED()
@@ -114,10 +119,12 @@ def judge_piece(
             length, needed = piece.length_m, LEAST_SEAM_PX * ground_sample_distance
             short = messages.PIECE_TOO_SHORT(length=length, needed=needed)
             why = short if length < needed else messages.PIECE_NOT_COMPARED()
+    elif fails and figures.strip.fit < LEAST_FIT and profile.energy[0] < (FAINT * white) ** 2:
+        why = messages.PIECE_NOT_MEASURED()
     # What little is left where detail was brushed away resembles no source.
     elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
         why = messages.COMPOSITE_UNCLEAR()
-    elif profile.is_between_copies and (profile.kept[0] or 0) > STANDARD_LEAST_KEPT:
+    elif profile.is_between_copies and not fails:
         why = messages.SAME_ALONG_THE_SEAM()
     else:
         verdict, why = judge_profile(profile)
@@ -144,9 +151,8 @@ def dated(judged: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
 def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
     """How much of the seams could not be judged, where that is worth telling."""
     lacking, total = metres(pieces, PieceState.NOT_MEASURED), metres(pieces)
-    if lacking < LEAST_WITHOUT_VERDICT * total or not lacking:
-        return ()
-    return (messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total),)
+    is_much = lacking > 0 and lacking >= LEAST_WITHOUT_VERDICT * total
+    return (messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total),) if is_much else ()
 
 
 def metres(pieces: Sequence[JudgedPiece], *states: PieceState) -> float:
