@@ -4683,7 +4683,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="366"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -7876,57 +7876,57 @@
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="346"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="345"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
@@ -9397,11 +9397,6 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
-        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
-        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="334"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
@@ -9564,7 +9559,7 @@
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
@@ -9574,12 +9569,12 @@
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -10734,12 +10729,12 @@
         <translation>Skanowanie „{name}” znalazło linie mozaikowania z pikseli, bez linii od wykonawcy, a szerokie wtapianie część z nich ukrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>what is kept is known too roughly</source>
         <translation>zachowanie znane zbyt zgrubnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
         <source>orthoimages along the seams</source>
         <translation>ortoobrazy wzdłuż linii mozaikowania</translation>
     </message>
@@ -10887,12 +10882,12 @@
         <translation>niezgodne: {failed} z {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="172"/>
         <source>the mosaic is mixed into them along {metres} of seam, such as at {place}</source>
         <translation>ortofotomapa jest do nich domieszana wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="181"/>
         <source>not given: {names}</source>
         <translation>nie podano: {names}</translation>
     </message>
@@ -11052,22 +11047,22 @@
         <translation>niezgodne: {failed} z {length}; wszystkie na pewno straciły detale: {sure} na pewno więcej, niż wolno, {near} według najlepszego oszacowania; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
         <source>an orthoimage ends there, or was not given</source>
         <translation>ortoobraz się tam kończy albo nie został podany</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>the orthoimages do not explain the mosaic: changed, others, or too little texture</source>
         <translation>ortoobrazy nie wyjaśniają tam ortofotomapy: zmienione, inne albo za mało tekstury</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
         <source>too short to be measured</source>
         <translation>za krótkie do pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
         <source>not enough to measure it without orthoimages, or these can&apos;t be read any more</source>
         <translation>za mało do pomiaru bez ortoobrazów albo nie można ich już odczytać</translation>
     </message>
@@ -11077,7 +11072,7 @@
         <translation>; arkusze same w sobie nierozstrzygnięte: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>missing, without pixels or not explaining the mosaic along {metres} of seam, such as at {place}; to be given by the producer</source>
         <translation>brakuje ich, nie mają pikseli albo nie wyjaśniają ortofotomapy wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
@@ -11163,6 +11158,11 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, no seam is judged, or neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, nie oceniono żadnej linii albo żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="329"/>
+        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, it is too short to be found, or the place was blurred or cut out. Check it, and give the seamlines that are missing.</source>
+        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania, jest za krótka, by ją znaleźć, albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania.</translation>
     </message>
 </context>
 </TS>

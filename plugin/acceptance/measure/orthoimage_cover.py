@@ -13,12 +13,12 @@ import numpy as np
 from scipy.ndimage import maximum_filter, minimum_filter
 
 from ...imagery.errors import RasterError
-from ...imagery.grids import PixelWindow
+from ...imagery.grids import PixelWindow, extents_meet
 from ...imagery.lines import points_along
 from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.raster_pool import KEPT_OPEN
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import transform_points
+from ...imagery.reference_systems import extent_on, transform_points
 from .delivery import DeliveredPiece, SeamCover
 
 COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
@@ -49,7 +49,9 @@ def seam_cover(
         for path in files:
             with suppress(RasterError):
                 raster = described(path)
-                yield _shown(opened(raster.ref), transform_points(strip, wkt, raster.wkt))
+                extent = extent_on((*strip.min(axis=0), *strip.max(axis=0)), wkt, raster.wkt)
+                yield _shown(opened(raster.ref), transform_points(strip, wkt, raster.wkt)) if (
+                    extents_meet(extent, raster.extent)) else np.zeros((3, len(strip)), bool)
 
     for piece in pieces:
         is_blank = piece.kept_1 is None
@@ -64,7 +66,8 @@ def seam_cover(
             strip = _strip(piece, pixel_m)
             of_mosaics = [*shown(mosaics, strip)] if is_blank else []
             in_mosaic = np.any(of_mosaics or [np.ones((3, len(strip)), bool)], axis=0)
-            by_cover = sorted(shown(beside, strip[in_mosaic[1]]), key=lambda pixels: pixels[0].sum())
+            known = in_mosaic[1] if in_mosaic[1].any() else slice(None)
+            by_cover = sorted(shown(beside, strip[known]), key=lambda pixels: pixels[0].sum())
             less, most = by_cover[-2], by_cover[-1]
             side, both = min(2 * less[0].mean(), 1.0), (less[1] & most[1]).mean()
             rest = (less[2] & most[2]).mean() if piece.length_m < _SHORTER * typical_m else 1.0
@@ -76,7 +79,7 @@ def seam_cover(
 
 def _strip(piece: DeliveredPiece, pixel_m: float) -> np.ndarray:
     """Places of the strip along a piece, (n, 2), a pixel apart, in its reference system."""
-    pixel = pixel_m * float(np.hypot(*np.diff(piece.vertices, axis=0).T).sum()) / piece.length_m
+    pixel = pixel_m * float(np.hypot(*np.diff(piece.vertices, axis=0).T).sum()) / (piece.length_m or 1.0) or pixel_m
     course = points_along(piece.vertices, pixel)
     along = np.gradient(course, axis=0)
     normal = along[:, ::-1] * (1, -1) / np.maximum(np.hypot(*along.T), np.finfo(float).tiny)[:, np.newaxis]
@@ -92,7 +95,7 @@ def _shown(opened: OpenRaster, places: np.ndarray) -> np.ndarray:
     width, height = (pixels.max(axis=0) + _CELL_PX + 1 - (left, top)).tolist()
     inside = PixelWindow(left, top, width, height).cut_to(raster.columns, raster.rows)
     valid = np.zeros((height, width), bool)
-    if inside.width > 0 and inside.height > 0:
+    if inside.width and inside.height:
         valid[inside.row - top :, inside.column - left :][: inside.height, : inside.width] = opened.read(inside).valid
     columns, rows = (pixels - (left, top)).T
     masks = maximum_filter(valid, 2 * _CELL_PX + 1), valid, minimum_filter(valid, _CELL_PX + 1)

@@ -87,11 +87,10 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
     )
     unseen_at = ground.place("unseen_at", "unseen_longest") or "-"
     if unseen + unchanged > MOST_APART * (whole.total_m + unseen):
-        figures = {"judged": whole.total_m, "limit": MOST_APART}
         if unseen:
-            yield messages.SEAMS_NOT_JUDGED(metres=unseen, place=unseen_at, **figures)
+            yield messages.SEAMS_NOT_JUDGED(judged=whole.total_m, metres=unseen, place=unseen_at, limit=MOST_APART)
         if unchanged:
-            yield messages.SEAMS_UNCHANGED(metres=unchanged, **figures)
+            yield messages.SEAMS_UNCHANGED(judged=whole.total_m, metres=unchanged, limit=MOST_APART)
     run, longest = rules.rule(LONGEST_FAILURE), ground.most("unseen_longest")
     if run is not None and not run.passes(longest):
         yield messages.BORDER_WITHOUT_SEAM(metres=longest, limit=Stated(run.limit), place=unseen_at)

@@ -137,8 +137,7 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
     if whole.not_measured_m:
         yield tr("seams that were not measured"), metres(whole.not_measured_m), _unmeasured(decision), False
-    if whole.not_measured_m or SeenGround.of_delivery(decision.delivery).total("mixed_metres"):
-        yield _cover_part(decision)
+    yield _cover_part(decision)
     yield from _ground_parts(decision)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
@@ -180,7 +179,7 @@ def _cover_part(decision: Decision) -> tuple[str, str, str, bool]:
         return name, tr("With findings"), words, is_reason
     if names := ", ".join(decision.delivery.not_given):
         return name, tr("With findings"), filled(tr("not given: {names}"), names=names), is_reason
-    lacks = any(decided.unmeasured is Unmeasured.OTHER for decided in decision.pieces)
+    lacks = not decision.delivery.files.cover or any(piece.unmeasured is Unmeasured.OTHER for piece in decision.pieces)
     return (name, tr("No findings"), "", False) if not lacks else (
         name, tr("Not checked"), tr("none were given, or their files can't be read"), False)
 
@@ -290,7 +289,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        "place": [formatted(along, ".1f") for along in defect.run.place],
+        "place": [f"{along:.1f}" for along in defect.run.place],  # as sentences have it, to be pasted into QGIS
     }
 
 
@@ -311,8 +310,7 @@ def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
             decision.pieces[number].piece.length_m for number in run.pieces
             if decision.pieces[number].state is PieceState.FAILED
         )
-        place = " ".join(formatted(along, ".1f") for along in run.place)
-        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place]
+        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place_words(run.place)]
 
 
 def _pictures(

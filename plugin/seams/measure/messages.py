@@ -327,8 +327,8 @@ MOSAIC_BESIDE = Message(
 )
 BORDERS_WITHOUT_SEAM = Message(
     "The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest "
-    "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check "
-    "it, and give the missing seamlines or scan without seamlines.", WARNING
+    "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, it is too short to be found, or the place "
+    "was blurred or cut out. Check it, and give the seamlines that are missing.", WARNING
 )
 MOSAIC_UNREAD = Message(
     "{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. "
