@@ -289,7 +289,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        "place": [f"{along:.1f}" for along in defect.run.place],  # as sentences have it, to be pasted into QGIS
+        "place": [formatted(along, ".1f") for along in defect.run.place],
     }
 
 
@@ -306,11 +306,10 @@ def _band_words(piece: DeliveredPiece) -> str:
 def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
     """Rows of pieces that were not measured, with the places where they lie, the longest first."""
     for run in decision.unknown_runs[:MOST_ROWS]:
-        failed = sum(
-            decision.pieces[number].piece.length_m for number in run.pieces
-            if decision.pieces[number].state is PieceState.FAILED
-        )
-        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place_words(run.place)]
+        pieces = [decision.pieces[number] for number in run.pieces]
+        failed = sum(decided.piece.length_m for decided in pieces if decided.state is PieceState.FAILED)
+        place = " ".join(formatted(along, ".1f") for along in run.place)
+        yield [", ".join(run.sheets), metres(run.length_m), metres(failed), place]
 
 
 def _pictures(
