@@ -140,7 +140,7 @@ class Gathering:
         judged, doubtful = [], self._near_missing(measured)
         for number, figures in enumerate(measured):
             if number in doubtful:
-                figures = replace(figures, strip=replace(figures.strip, profile=None))
+                figures = replace(figures, strip=replace(figures.strip, profile=None, area_px=0.0))
             sides = [self._name(side) for side in (figures.piece.left, figures.piece.right)]
             judged.append(scan_result.judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
         if not request.given:

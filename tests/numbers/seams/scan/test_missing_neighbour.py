@@ -50,5 +50,5 @@ def test_pieces_that_reach_a_missing_orthoimage_neither_pass_nor_fail(tmp_path: 
     assert len(others) > 3
     assert {piece.state for piece in others} == {PieceState.PASSED}
     assert last.state is PieceState.NOT_MEASURED
-    assert "none explains it" in str(last.reason)
+    assert "none shows what the mosaic does" in str(last.reason)
     assert result.told["not_given"] == "c"
