@@ -110,9 +110,9 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     may_lie_elsewhere = bool(idle) and plain.fit < MIN_IDLE_FIT
     if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE and not may_lie_elsewhere:
         return first
-    part = plain.unexplained if plain.unexplained.any() else None  # it may be too small, or show nothing
-    shifts = {i: find_shift(image.spectra, other.spectra, part) or find_shift(image.spectra, other.spectra)
-              for i, other in enumerate(images)}
+    # The part may be too small, or show nothing: then the whole window.
+    shifts = {i: (find_shift(image.spectra, other.spectra, plain.unexplained) if unexplained else None)
+              or find_shift(image.spectra, other.spectra) for i, other in enumerate(images)}
     moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
     if not moved:
         return first
