@@ -379,7 +379,7 @@
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="91"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="92"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -604,7 +604,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="247"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="246"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -649,42 +649,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="193"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="193"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="214"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="214"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="217"/>
+        <location filename="../plugin/seams/desk/dock.py" line="218"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="217"/>
+        <location filename="../plugin/seams/desk/dock.py" line="218"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -694,12 +694,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="246"/>
+        <location filename="../plugin/seams/desk/dock.py" line="247"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="374"/>
+        <location filename="../plugin/seams/desk/dock.py" line="375"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -3505,7 +3505,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="303"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -3893,7 +3893,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4203,22 +4203,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="200"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="200"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4283,12 +4283,12 @@
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
@@ -4368,12 +4368,12 @@
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="339"/>
+        <location filename="../plugin/seams/measure/messages.py" line="340"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="346"/>
+        <location filename="../plugin/seams/measure/messages.py" line="347"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -4383,12 +4383,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/messages.py" line="351"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="358"/>
+        <location filename="../plugin/seams/measure/messages.py" line="359"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -4683,7 +4683,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -4708,17 +4708,17 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="348"/>
+        <location filename="../plugin/seams/desk/dock.py" line="349"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="357"/>
+        <location filename="../plugin/seams/desk/dock.py" line="358"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="354"/>
+        <location filename="../plugin/seams/desk/dock.py" line="355"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -4818,42 +4818,42 @@
         <translation>{bits}-bitowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="9"/>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
         <source>The windows moved beside the project, to {path}.</source>
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="361"/>
+        <location filename="../plugin/seams/measure/messages.py" line="362"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="363"/>
         <source>Does not overlap the mosaic.</source>
         <translation>Nie nachodzi na ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="363"/>
+        <location filename="../plugin/seams/measure/messages.py" line="364"/>
         <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
         <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="364"/>
+        <location filename="../plugin/seams/measure/messages.py" line="365"/>
         <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
         <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="365"/>
+        <location filename="../plugin/seams/measure/messages.py" line="366"/>
         <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
         <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="366"/>
+        <location filename="../plugin/seams/measure/messages.py" line="367"/>
         <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
         <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="367"/>
+        <location filename="../plugin/seams/measure/messages.py" line="368"/>
         <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
         <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
     </message>
@@ -4896,7 +4896,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="310"/>
+        <location filename="../plugin/seams/desk/dock.py" line="311"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -5691,7 +5691,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="83"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="84"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -6026,22 +6026,22 @@
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="84"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="85"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="85"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="88"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="90"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
@@ -6050,22 +6050,22 @@
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -7124,12 +7124,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="223"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="223"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -7871,12 +7871,12 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="345"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="343"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
@@ -7921,17 +7921,17 @@
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="320"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="320"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="264"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="263"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8021,7 +8021,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -8381,47 +8381,47 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="402"/>
+        <location filename="../plugin/seams/measure/messages.py" line="403"/>
         <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
         <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="405"/>
+        <location filename="../plugin/seams/measure/messages.py" line="406"/>
         <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="409"/>
+        <location filename="../plugin/seams/measure/messages.py" line="410"/>
         <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="420"/>
+        <location filename="../plugin/seams/measure/messages.py" line="421"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="422"/>
+        <location filename="../plugin/seams/measure/messages.py" line="423"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="423"/>
+        <location filename="../plugin/seams/measure/messages.py" line="424"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="432"/>
+        <location filename="../plugin/seams/measure/messages.py" line="433"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="434"/>
+        <location filename="../plugin/seams/measure/messages.py" line="435"/>
         <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="435"/>
+        <location filename="../plugin/seams/measure/messages.py" line="436"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -8461,7 +8461,7 @@
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="25"/>
+        <location filename="../plugin/seams/desk/messages.py" line="29"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -8594,12 +8594,12 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="342"/>
+        <location filename="../plugin/seams/measure/messages.py" line="343"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="354"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -8704,7 +8704,7 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="397"/>
+        <location filename="../plugin/seams/measure/messages.py" line="398"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -8952,7 +8952,7 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="288"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="287"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -9042,12 +9042,12 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="425"/>
+        <location filename="../plugin/seams/measure/messages.py" line="426"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="426"/>
+        <location filename="../plugin/seams/measure/messages.py" line="427"/>
         <source>The seam does not lie on this mosaic; give the seams that a scan of it found.</source>
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
@@ -9167,12 +9167,12 @@
         <translation>Narysowano histogramy {drawn} z {count} obrazów, najpierw tych, które nie zostały przyjęte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="412"/>
+        <location filename="../plugin/seams/measure/messages.py" line="413"/>
         <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="416"/>
+        <location filename="../plugin/seams/measure/messages.py" line="417"/>
         <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
@@ -9317,27 +9317,27 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="195"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -9367,17 +9367,17 @@
         <translation>Zachowane detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="371"/>
+        <location filename="../plugin/seams/measure/messages.py" line="372"/>
         <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="380"/>
+        <location filename="../plugin/seams/measure/messages.py" line="381"/>
         <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="384"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -9397,7 +9397,7 @@
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <location filename="../plugin/seams/measure/messages.py" line="335"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -9454,7 +9454,7 @@
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="87"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>
@@ -9489,7 +9489,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="247"/>
+        <location filename="../plugin/seams/desk/dock.py" line="248"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -9529,7 +9529,7 @@
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="368"/>
+        <location filename="../plugin/seams/measure/messages.py" line="369"/>
         <source>Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.</source>
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
@@ -9569,12 +9569,12 @@
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -9636,7 +9636,7 @@
         <translation>Skopiuj je</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="19"/>
+        <location filename="../plugin/seams/desk/messages.py" line="23"/>
         <source>The windows in {name} are not in a windows file, so results and verdicts can&apos;t be saved with them. Copy them into one?</source>
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
@@ -9836,12 +9836,12 @@
         <translation>Okna są w Twoim profilu, dopóki projekt nie zostanie zapisany, potem obok niego. Teraz są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="16"/>
+        <location filename="../plugin/seams/desk/messages.py" line="20"/>
         <source>{path} exists already: choose another folder, so that no document is replaced.</source>
         <translation>{path} już istnieje: wybierz inny katalog, aby żaden dokument nie został zastąpiony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="17"/>
+        <location filename="../plugin/seams/desk/messages.py" line="21"/>
         <source>The decision could not be saved in {folder} ({error}); choose another folder.</source>
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -9889,17 +9889,17 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="427"/>
+        <location filename="../plugin/seams/measure/messages.py" line="428"/>
         <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="429"/>
+        <location filename="../plugin/seams/measure/messages.py" line="430"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="430"/>
+        <location filename="../plugin/seams/measure/messages.py" line="431"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
@@ -9964,12 +9964,12 @@
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="244"/>
+        <location filename="../plugin/seams/desk/dock.py" line="245"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -10049,7 +10049,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="320"/>
+        <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
@@ -10074,17 +10074,17 @@
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="202"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -10223,7 +10223,7 @@
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="388"/>
+        <location filename="../plugin/seams/measure/messages.py" line="389"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -10451,12 +10451,12 @@
         <translation>bez progu dla udziału zmierzonych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="239"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="239"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -10487,17 +10487,17 @@
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="11"/>
+        <location filename="../plugin/seams/desk/messages.py" line="15"/>
         <source>The layer {name} stays in {old}, as it can&apos;t be moved to {folder} ({error}); export it from there.</source>
         <translation>Warstwa {name} zostaje w {old}, bo nie można jej przenieść do {folder} ({error}); wyeksportuj ją stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="15"/>
+        <location filename="../plugin/seams/desk/messages.py" line="19"/>
         <source>Windows of this mosaic were restored. The project lacked them; they are in {path}.</source>
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="261"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="263"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10551,12 +10551,12 @@
         <translation>Skanowanie „{name}” mierzyło wzdłuż linii mozaikowania, które mu podano; brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
         <source>pieces not measured</source>
         <translation>odcinki niezmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>; most of it around {place}</source>
         <translation>; najwięcej przy {place}</translation>
     </message>
@@ -10581,7 +10581,7 @@
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="324"/>
+        <location filename="../plugin/seams/measure/messages.py" line="325"/>
         <source>The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.</source>
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
@@ -10822,17 +10822,17 @@
         <translation>Nie udało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <location filename="../plugin/seams/desk/messages.py" line="17"/>
         <source>No window there: pixels are missing. Draw a smaller one beside the edge.</source>
         <translation>Brak okna: brakuje tam pikseli. Narysuj mniejsze obok krawędzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="22"/>
+        <location filename="../plugin/seams/desk/messages.py" line="26"/>
         <source>The layer {name} has windows of {older}, and the mosaic is {newer} now.</source>
         <translation>Warstwa {name} zawiera okna ortofotomapy {older}, a wybrana jest teraz ortofotomapa {newer}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="23"/>
+        <location filename="../plugin/seams/desk/messages.py" line="27"/>
         <source>The scan was stopped: its mosaic is not in the project any more.</source>
         <translation>Zatrzymano badanie: badanej ortofotomapy nie ma już w projekcie.</translation>
     </message>
@@ -10877,11 +10877,6 @@
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linie mozaikowania wzdłuż ich granic się nie liczą, a tam, gdzie się pokrywają, liczą się dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="129"/>
-        <source>failed: {failed} of {length}</source>
-        <translation>niezgodne: {failed} z {length}</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="172"/>
         <source>the mosaic is mixed into them along {metres} of seam, such as at {place}</source>
         <translation>ortofotomapa jest do nich domieszana wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}</translation>
@@ -10912,7 +10907,7 @@
         <translation>{width} × {height} m, {columns} × {rows} px, nie da się tam nic porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <location filename="../plugin/seams/desk/messages.py" line="18"/>
         <source>Windows at the worst places: {count}, {sides} m wide; there already: {there}.</source>
         <translation>Okna w najgorszych miejscach: {count}, szerokości {sides} m; już istniejące: {there}.</translation>
     </message>
@@ -10922,12 +10917,12 @@
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu. Sprawdź układy współrzędnych, pole, które nazywa ortoobrazy, i czy nie wycięto ich z ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="375"/>
+        <location filename="../plugin/seams/measure/messages.py" line="376"/>
         <source>All {count} orthoimages show the mosaic&apos;s pixels on both sides of its seams: they are copies of it, or parts of the only image that it was made of, and can&apos;t show what it lost. Give the orthoimages as they were rectified, before the mosaic was made, or none, to scan along seamlines alone.</source>
         <translation>Wszystkie ortoobrazy ({count}) mają po obu stronach linii mozaikowania piksele ortofotomapy: są jej kopiami albo częściami jedynego obrazu, z którego ją wykonano, i nie pokażą, co straciła. Podaj ortoobrazy po ortorektyfikacji, sprzed wykonania ortofotomapy, albo żadnych, aby skanować wzdłuż samych linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="392"/>
+        <location filename="../plugin/seams/measure/messages.py" line="393"/>
         <source>Along {metres:.0f} m of seam, such as at {x:.1f}, {y:.1f}, up to {share:.0f} % of the mosaic are mixed into the orthoimages ({names}), which hides what it lost there. Ask for the orthoimages as they were before the mosaic was made.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, na przykład w miejscu {x:.1f}, {y:.1f}, do {share:.0f} % ortofotomapy domieszano do ortoobrazów ({names}), co ukrywa to, co tam straciła. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
@@ -11042,11 +11037,6 @@
         <translation>Co by rozstrzygnęło: obejrzenie przez operatora tego, czego nie zmierzono, co najmniej {wanted:.0f} z {lacking:.0f} m; na tej podstawie rozstrzyga osoba podpisująca. Skanowanie z dłuższymi odcinkami może nie zmierzyć dość.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="127"/>
-        <source>failed: {failed} of {length}, all of which surely lost detail: {sure} surely more than allowed, {near} by the best estimate; failures: {count}, in sheets: {sheets} of {all}</source>
-        <translation>niezgodne: {failed} z {length}; wszystkie na pewno straciły detale: {sure} na pewno więcej, niż wolno, {near} według najlepszego oszacowania; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
         <source>an orthoimage ends there, or was not given</source>
         <translation>ortoobraz się tam kończy albo nie został podany</translation>
@@ -11077,12 +11067,12 @@
         <translation>brakuje ich, nie mają pikseli albo nie wyjaśniają ortofotomapy wzdłuż {metres} linii mozaikowania, na przykład w miejscu {place}; ma je dostarczyć wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>none were given, or their files can&apos;t be read</source>
         <translation>nie podano ich albo nie można odczytać ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="229"/>
         <source>; with those that meet {joined}</source>
         <translation>; z tymi, które się stykają, {joined}</translation>
     </message>
@@ -11146,7 +11136,7 @@
         <translation>Co by rozstrzygnęło: skanowanie z liniami mozaikowania, które leżą wszędzie tam, gdzie ortofotomapa przechodzi z jednego ortoobrazu w drugi, i nigdzie indziej, albo bez linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>given: {judged}</source>
         <translation>podane: {judged}</translation>
     </message>
@@ -11160,9 +11150,34 @@
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, nie oceniono żadnej linii albo żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="329"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, it is too short to be found, or the place was blurred or cut out. Check it, and give the seamlines that are missing.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania, jest za krótka, by ją znaleźć, albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="127"/>
+        <source>failed: {failed} of {length} that were measured</source>
+        <translation>niezgodne: {failed} z {length} zmierzonych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="129"/>
+        <source>, of which {near} surely lost detail, and more than allowed by the best estimate</source>
+        <translation>, z czego {near} na pewno straciło detale, a według najlepszego oszacowania więcej niż wolno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="130"/>
+        <source>; failures: {count}, in sheets: {sheets} of {all}</source>
+        <translation>; usterki: {count}, w arkuszach: {sheets} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="10"/>
+        <source>The windows of this mosaic can&apos;t be opened: {path}. Put the file back and open the project again, or remove the layer to begin anew.</source>
+        <translation>Okien tej ortofotomapy nie można otworzyć: {path}. Przywróć plik i otwórz projekt ponownie albo usuń warstwę, aby zacząć od nowa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="319"/>
+        <source>{metres:.0f} m were not measured. {reason}</source>
+        <translation>Nie zmierzono {metres:.0f} m. {reason}</translation>
     </message>
 </context>
 </TS>

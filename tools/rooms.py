@@ -34,8 +34,8 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4671, 0, 0),
-    "plugin/seams/measure": Measures(16297, 1, 0),
-    "plugin/seams": Measures(12982, 0, 0),
+    "plugin/seams/measure": Measures(16322, 1, 0),
+    "plugin/seams": Measures(12993, 0, 0),
     "plugin/acceptance": Measures(5400, 1, 0),
     "plugin/toolkit": Measures(4307, 0, 0),
     "plugin/noise": Measures(1922, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5084, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1061, 0, 0),
-    "tests": Measures(47925, 0, 0),
+    "tests": Measures(47942, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 

@@ -96,7 +96,7 @@ def spatial_reference(wkt: str) -> osr.SpatialReference:
 @lru_cache(1024)
 def same_system(a: str, b: str) -> bool:
     """Whether two texts name one reference system, whatever they say of heights."""
-    return a == b or bool(_horizontal(a).IsSame(_horizontal(b)))
+    return a == b or bool(a and b and _horizontal(a).IsSame(_horizontal(b)))  # newer GDAL: all that are empty are one
 
 
 def known_wkt(name: Any) -> str:

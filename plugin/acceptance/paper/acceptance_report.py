@@ -124,12 +124,12 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery; the
     files and radiometry last."""
     count, faulty, whole = len(decision.sheets), len(decision.delivery.findings), decision.whole
-    words = tr("failed: {failed} of {length}, all of which surely lost detail: {sure} surely more than allowed, {near} "
-               "by the best estimate; failures: {count}, in sheets: {sheets} of {all}") if whole.failed_m else (
-                   tr("failed: {failed} of {length}"))
-    failures = filled(words, failed=metres(whole.failed_m), length=metres(whole.total_m), count=len(decision.runs),
-        sure=metres(whole.failed_m - whole.failed_unclear_m), near=metres(whole.failed_unclear_m),
-        sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
+    words = tr("failed: {failed} of {length} that were measured")
+    if whole.failed_unclear_m:
+        words += tr(", of which {near} surely lost detail, and more than allowed by the best estimate")
+    words += tr("; failures: {count}, in sheets: {sheets} of {all}") if whole.failed_m else ""
+    failures = filled(words, failed=metres(whole.failed_m), length=metres(whole.measured_m), count=len(decision.runs),
+        all=count, near=metres(whole.failed_unclear_m), sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets))
     if alone := decision.sheet_outcomes.count(AcceptanceOutcome.REJECTED):
         failures += filled(tr("; sheets rejected by themselves: {count}"), count=alone)
     if decision.accepted and (alone := decision.sheet_outcomes.count(AcceptanceOutcome.UNDECIDED)):

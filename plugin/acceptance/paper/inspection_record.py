@@ -12,7 +12,7 @@ from ...imagery.file_identity import states_in
 from ...imagery.rasters import Raster
 from ...imagery.seam_totals import SOURCE_FILES
 from ...toolkit.pages.templates import HowMeasured, each_raster, system_name
-from ...toolkit.translation import tr
+from ...toolkit.translation import local_digits, tr
 from ..measure.decision import Decision, Defect, defects_of
 from ..measure.delivered_rows import united_settings
 from ..measure.delivery import in_words
@@ -79,12 +79,13 @@ def how_measured(record: InspectionRecord) -> HowMeasured:
         "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
         "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
     }  # fmt: skip
+    words = {"seams": tr("along the seams"), "full": tr("every pixel")}
     settings = [
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
         (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
-        *((title, scan[name]) for name, title in names.items() if name in scan),
+        *((title, words.get(scan[name], local_digits(scan[name]))) for name, title in names.items() if name in scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),
     ]

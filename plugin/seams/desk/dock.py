@@ -143,10 +143,11 @@ class InspectionDock(ToolDock):
             part.close()
 
     def judge_worst(self) -> None:
-        """Take the worst places of the last scan into the windows: inspected, and walked through, worst first."""
+        """Take the worst places of the last scan into the windows, inspect them, and begin judging the worst."""
         if (layer := self.scans.worst_layer()) is not None:
             self._uncover()
             self.session.take_places(layer)
+            self.judging.action.setChecked(True)
 
     def _uncover(self, is_to_be_seen: bool = True) -> None:
         """The scan's picture gives way to the mosaic, and to lost detail."""

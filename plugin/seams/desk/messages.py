@@ -6,6 +6,10 @@ from ...imagery.errors import INFO, WARNING, Message
 WINDOWS_KEPT_MEANWHILE = Message(
     "Windows are stored in your profile until the project is saved, then beside it. Now they are in {path}.", INFO
 )
+WINDOWS_MISSING = Message(
+    "The windows of this mosaic can't be opened: {path}. Put the file back and open the project again, or remove the "
+    "layer to begin anew."
+)
 WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
 NOT_MOVED = Message(
     "The layer {name} stays in {old}, as it can't be moved to {folder} ({error}); export it from there."

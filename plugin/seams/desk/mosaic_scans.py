@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from html import escape
 from itertools import chain, count
 from pathlib import Path
@@ -127,7 +127,7 @@ class MosaicScans(QObject):
         if isinstance(result, ScanNews):
             if result.earlier is not None:
                 self._tell(result.earlier)
-            self._note(result.notices)
+            self._note(result.notices, _NOTES_IN_BAR)
             self.news = result
         elif isinstance(result, ScanDone):
             self._note(result.notices)
@@ -184,15 +184,17 @@ class MosaicScans(QObject):
         window_home.show_layers_of(self._project, self._session.inputs.mosaic)
         self.scanned.emit(done)
 
-    def _note(self, notices: Iterable[Message]) -> None:
-        """In the log, since there may be one for each block; the first of those that matter in the bar, too, but for
-        what the scan's finding says."""
-        for notice in notices:
-            write_log([notice])
-            if notice.level is not INFO and notice.template != messages.SEAMS_WITHOUT_VERDICT.template:
-                self.warnings.append(notice)
-                if len(self.warnings) <= _NOTES_IN_BAR:
-                    self._tell(notice)
+    def _note(self, notices: Sequence[Message], most_in_bar: int = 0) -> None:
+        """Put them in the log, since there may be one for each block; those that matter behind *More*, but for what the
+        scan's finding says, and the first ``most_in_bar`` of all in the bar, too."""
+        write_log(notices)
+        graver = [
+            notice for notice in notices
+            if notice.level is not INFO and notice.template != messages.SEAMS_WITHOUT_VERDICT.template
+        ]  # fmt: skip
+        for notice in graver[: max(most_in_bar - len(self.warnings), 0)]:
+            self._tell(notice)
+        self.warnings += graver
 
     def _tell(self, message: Message) -> None:
         self.notified.emit(sentence(message), bar_level(message))

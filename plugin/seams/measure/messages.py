@@ -316,6 +316,7 @@ SEAMS_WITHOUT_VERDICT = Message(
     "{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields 'state' and 'reason' say "
     "why.", WARNING
 )
+PIECES_NOT_MEASURED = Message("{metres:.0f} m were not measured. {reason}", WARNING)
 MOSAIC_UNEXPLAINED = Message(
     "{share:.0f} % of the mosaic's textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, "
     "so nothing is measured there. Give those that it was made from, and check that they lie where it does.", WARNING

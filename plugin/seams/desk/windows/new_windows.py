@@ -9,7 +9,7 @@ from typing import Any
 from qgis.core import QgsGeometry, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import SeamInspectorError
+from ....imagery.errors import SeamInspectorError, WindowLayerError
 from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
@@ -146,9 +146,13 @@ class NewWindows(QObject):
         self.notified.emit(said)
 
     def _with_layer(self) -> Block:
-        """Make the window layer when there is none."""
+        """Make the window layer when there is none. Raises WindowLayerError when its file is missing: a second set of
+        windows would begin with number 1."""
         block = self._block.required()
         if self._watch.writable() is None:
+            missing = self._project.mapLayer(self._block.inputs.windows)
+            if missing is not None and not missing.isValid():
+                raise WindowLayerError(keeping_messages.WINDOWS_MISSING(path=layers.layer_path(missing)))
             fields = window_file.window_fields(self._block.inputs.levels)
             self._open(window_file.write_window_file(block.mosaic.wkt, self._home.folder, fields))
         return block

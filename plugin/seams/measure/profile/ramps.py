@@ -6,8 +6,9 @@ the same ground, holds some of what it lost (regression with errors in the varia
 it: up to half of a side's detail follows the other source, and no seam mixed it in.
 
 Ramps are weighted by Akaike's criterion (Burnham and Anderson 2002), so that neither noise makes a feather nor the
-raster of widths a step. What the shares deviate from the ramp more than their noise lets them is real and comes back by
-its share of the variance (DerSimonian and Laird 1986): without noise all does.
+raster of widths a step; a cut and a feather are as likely beforehand, however many ramps there are of either. What the
+shares deviate from the ramp more than their noise lets them is real and comes back by its share of the variance
+(DerSimonian and Laird 1986): without noise all does.
 """
 from __future__ import annotations
 
@@ -121,8 +122,9 @@ def _models() -> tuple[np.ndarray, np.ndarray]:
     edges = np.array(EDGES_PX[: MIXED_BINS + 1], float)
     inside = edges[:-1, np.newaxis] + np.diff(edges)[:, np.newaxis] * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     models, prices = [], []
+    is_soft = _IS_SOFT.mean()
     for width, offset, is_even in _RAMPS:
         lower, higher = (_ramp((at - offset) / max(width, 0.5), is_even).mean(axis=1) for at in (-inside, inside))
         models.append(np.concatenate([lower, 1 - higher]))
-        prices.append(_PRICE * ((width > 0) + (offset != 0)))
+        prices.append(_PRICE * ((width > 0) + (offset != 0)) + 2 * np.log(is_soft if width > 0 else 1 - is_soft))
     return np.array(models), np.array(prices)

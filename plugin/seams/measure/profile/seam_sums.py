@@ -79,9 +79,10 @@ class SeamSums:
         # As much as the ground has of it, where there is ground.
         is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
         is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
-        judged, share = together(
-            by_energy.times(np.where(is_replaced, np.nan, 1.0)), mixed.kept.times(np.where(is_mixed, 1.0, np.nan))
-        )
+        # Of other ground than the sources' nobody knows what energy it had.
+        foreign = np.maximum(more_left - in_strip(energy.left_by_ground), 0)[0] / whole
+        by_energy = by_energy.times(np.where(is_replaced, np.nan, 1.0)).less_sure(foreign)
+        judged, share = together(by_energy, mixed.kept.times(np.where(is_mixed, 1.0, np.nan)))
         # Codecs leave over up to twice as much from place to place, noise along a seam much more than on the ground.
         unsure = SURE_LEFT * np.minimum(more_left, in_strip(energy.left_by_ground))[0] / whole
         judged = judged.less_sure(unsure * (1 - share))  # of the mixture's part in it

@@ -5,6 +5,7 @@ The tables have one entry per column. The field names are contracts; layers and 
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -149,10 +150,17 @@ def dated(judged: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
 
 
 def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
-    """How much of the seams could not be judged, where that is worth telling."""
+    """How much of the seams could not be judged, where that is worth telling, and why, the most metres first."""
     lacking, total = metres(pieces, PieceState.NOT_MEASURED), metres(pieces)
-    is_much = lacking > 0 and lacking >= LEAST_WITHOUT_VERDICT * total
-    return (messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total),) if is_much else ()
+    if lacking <= 0 or lacking < LEAST_WITHOUT_VERDICT * total:
+        return ()
+    lengths: defaultdict[Message, float] = defaultdict(float)
+    for piece in pieces:
+        if piece.state is PieceState.NOT_MEASURED and piece.reason is not None:
+            lengths[piece.reason] += piece.piece.length_m
+    most = sorted(lengths.items(), key=lambda item: -item[1])[:3]
+    reasons = (messages.PIECES_NOT_MEASURED(metres=length, reason=reason) for reason, length in most)
+    return messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total), *reasons
 
 
 def metres(pieces: Sequence[JudgedPiece], *states: PieceState) -> float:

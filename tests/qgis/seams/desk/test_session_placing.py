@@ -9,7 +9,7 @@ import pytest
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsGeometry
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.window_summary import shown_side
-from seam_inspector.plugin.toolkit.layers import system_wkt
+from seam_inspector.plugin.toolkit.layers import layer_path, system_wkt
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.emptied import emptied_system
@@ -108,3 +108,15 @@ def test_windows_lie_in_the_mosaics_system_when_a_thread_has_emptied_qgis_s(desk
         assert all(row.verdict for row in desk.session.windows())
     finally:
         QgsCoordinateReferenceSystem.invalidateCache()
+
+
+def test_windows_whose_file_is_missing_are_not_begun_anew(desk: Desk) -> None:
+    desk.session.add_window(PixelWindow(0, 0, 128, 128))
+    desk.wait()
+    path = Path(layer_path(desk.layer()))
+    desk.layer().setDataSource(str(path.with_name("moved.gpkg")), "windows", "ogr")
+    desk.messages.clear()
+    desk.session.add_window(PixelWindow(64, 64, 128, 128))
+    desk.wait()
+    assert "moved.gpkg" in desk.messages[0]
+    assert [file.name for file in path.parent.glob("*.gpkg")] == [path.name]
