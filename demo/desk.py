@@ -217,9 +217,10 @@ class Desk:
 
     @contextmanager
     def judging(self) -> Iterator[None]:
-        """J, and at the end all of the desk again."""
+        """J unless judging is on, and at the end all of the desk again."""
         layout = self.dock.judging
-        self.press_on_map(Qt.Key.Key_J)
+        if not layout.is_on:
+            self.press_on_map(Qt.Key.Key_J)
         self.wait(lambda: layout.is_on, 5, "judging")
         yield
         self.press_on_map(Qt.Key.Key_J)

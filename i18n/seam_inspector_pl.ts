@@ -379,7 +379,7 @@
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="92"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="91"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -4283,12 +4283,12 @@
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="81"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="81"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
@@ -4901,12 +4901,12 @@
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="78"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="78"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -5691,7 +5691,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="84"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="83"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -6011,37 +6011,37 @@
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="78"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="79"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="85"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="84"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="85"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="88"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="90"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
@@ -6705,7 +6705,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="67"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="66"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -9454,11 +9454,6 @@
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="87"/>
-        <source>median length of the pieces</source>
-        <translation>mediana długości odcinków</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="255"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
@@ -11178,6 +11173,11 @@
         <location filename="../plugin/seams/measure/messages.py" line="319"/>
         <source>{metres:.0f} m were not measured. {reason}</source>
         <translation>Nie zmierzono {metres:.0f} m. {reason}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
+        <source>typical length of the pieces</source>
+        <translation>typowa długość odcinków</translation>
     </message>
 </context>
 </TS>

@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5084, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1061, 0, 0),
-    "tests": Measures(47942, 0, 0),
+    "tests": Measures(47947, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 

@@ -68,6 +68,12 @@ class DeliveredPiece:
         return float(np.interp(share * along[-1], along, x)), float(np.interp(share * along[-1], along, y))
 
 
+def typical_m(pieces: Iterable[DeliveredPiece]) -> float:
+    """Length of pieces in the middle of all metres, m, so that crumbs of polygons count as little as they are long."""
+    lengths = np.sort([0.0, *(piece.length_m for piece in pieces)])
+    return float(lengths[np.searchsorted(lengths.cumsum(), lengths.sum() / 2)])
+
+
 def extent_of(lines: Iterable[np.ndarray]) -> Extent:
     """Around lines of (n, 2) x and y each."""
     points = np.concatenate([*lines])

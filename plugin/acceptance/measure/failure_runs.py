@@ -18,7 +18,7 @@ from scipy.spatial import cKDTree
 
 from ...imagery.seam_totals import PieceState
 from .decision import FailureRun
-from .delivery import DeliveredPiece
+from .delivery import DeliveredPiece, typical_m
 
 _SAY_NOTHING = (PieceState.NOT_MEASURED, PieceState.NO_DETAIL)
 _TOUCHING = 0.02  # of a typical piece: ends nearer than that touch. 0.5 m of 25 m, a few pixels of a staircase
@@ -29,17 +29,15 @@ def _failed_ends(
 ) -> dict[int, tuple[int, int]]:
     """The numbers of the two places that each failed piece joins: the same for ends that touch, and for those between
     which nothing lies but one piece that says nothing, no longer than a typical one."""
-    typical_m = float(np.median([piece.length_m for piece in pieces]))
+    typical = typical_m(pieces)
     ends = np.array([piece.vertices[end] for piece in pieces for end in (0, -1)]) * unit_m
-    touching = [
-        (end, other) for end, other in cKDTree(ends).query_pairs(_TOUCHING * typical_m) if end // 2 != other // 2
-    ]
+    touching = [(end, other) for end, other in cKDTree(ends).query_pairs(_TOUCHING * typical) if end // 2 != other // 2]
     places = _united(touching, len(ends)).reshape(-1, 2).tolist()
     failed = [number for number, state in enumerate(states) if state is PieceState.FAILED]
     failed_places = {place for number in failed for place in places[number]}
     bridged = [
         places[number] for number, state in enumerate(states)
-        if state in _SAY_NOTHING and pieces[number].length_m <= typical_m * (1 + 1e-9)
+        if state in _SAY_NOTHING and pieces[number].length_m <= typical * (1 + 1e-9)
         and failed_places.issuperset(places[number])
     ]
     same = _united(bridged, len(ends)).tolist()

@@ -19,7 +19,7 @@ from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.raster_pool import KEPT_OPEN
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import extent_on, transform_points
-from .delivery import DeliveredPiece, SeamCover
+from .delivery import DeliveredPiece, SeamCover, typical_m
 
 COVERED = 0.9  # of its side of a piece, that an orthoimage shows: with less the mosaic has pixels that it has not
 _STRIP_PX = 8  # on either side of a seam: what a scan judges by
@@ -43,7 +43,7 @@ def seam_cover(
     """
     by_stem, opened = {file_stem(path): path for path in reversed(paths)}, lru_cache(KEPT_OPEN)(OpenRaster)
     described, missing = cache(lambda path: describe(RasterRef(path))), {*map(file_stem, not_given)}
-    typical_m, cover = np.median([piece.length_m for piece in pieces] or [0.0]), dict[int, SeamCover]()
+    typical, cover = typical_m(pieces), dict[int, SeamCover]()
 
     def shown(files: Iterable[str], strip: np.ndarray) -> Iterator[np.ndarray]:
         for path in files:
@@ -70,7 +70,7 @@ def seam_cover(
             by_cover = sorted(shown(beside, strip[known]), key=lambda pixels: pixels[0].sum())
             less, most = by_cover[-2], by_cover[-1]
             side, both = min(2 * less[0].mean(), 1.0), (less[1] & most[1]).mean()
-            rest = (less[2] & most[2]).mean() if piece.length_m < _SHORTER * typical_m else 1.0
+            rest = (less[2] & most[2]).mean() if piece.length_m < _SHORTER * typical else 1.0
             is_short = piece.length_m * in_mosaic[2].mean() * rest < _LEAST_PX * pixel_m
             is_short &= min(side, most[0].mean()) >= COVERED  # else nobody knows what is hidden
             cover[piece.number] = SeamCover(float(side), float(both), bool(is_short))

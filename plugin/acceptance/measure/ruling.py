@@ -18,13 +18,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Optional
 
-import numpy as np
-
 from ...imagery.errors import Message, Stated
 from ...imagery.seam_totals import PieceState
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
 from .decision import DecidedPiece, MetreFigures, RuleOutcome, Unmeasured
+from .delivery import typical_m
 from .measured_pieces import (
     ends_within,
     known_within,
@@ -161,13 +160,11 @@ class Ruling:
             return self._would_measure(has_sources, MEASURED_SHARE in is_open)
         within = self._open_ends
         if share is not None and within > known_within(self.pieces, self.rules.least_kept):
-            return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
+            piece = typical_m(decided.piece for decided in self.pieces)
+            return messages.WOULD_SHORTEN(piece=piece, within=within, allowed=self._allowed_m())
         if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
             return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)
         return None
-
-    def _typical_m(self) -> float:
-        return float(np.median([decided.piece.length_m for decided in self.pieces]))
 
     def _would_measure(self, has_sources: bool, is_little: bool) -> Message:
         """The true orthoimages; else a length of pieces that would measure as much as is wanted and hides no failure,
@@ -184,7 +181,7 @@ class Ruling:
         hidden = [decided for decided in self.pieces if decided.blank_m]
         if hidden and 2 * (metres := math.fsum(decided.blank_m for decided in hidden)) >= wanted:
             return messages.WOULD_GIVE_COVER(metres=metres, place=place_words(hidden[0].piece.middle))
-        typical, longest = self._typical_m(), (run.limit if run else 0.0) / 2 or math.inf
+        typical, longest = typical_m(each.piece for each in self.pieces), (run.limit if run else 0.0) / 2 or math.inf
         for piece in (min(round(times * typical), longest) for times in (2, 4)):
             share = measured_with(self.pieces, self.rules.least_kept, piece)
             if piece > typical and share >= min(needed, 1.0):

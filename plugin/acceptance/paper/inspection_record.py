@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import PureWindowsPath
-from statistics import median
 
 from ...imagery.file_identity import states_in
 from ...imagery.rasters import Raster
@@ -15,7 +14,7 @@ from ...toolkit.pages.templates import HowMeasured, each_raster, system_name
 from ...toolkit.translation import local_digits, tr
 from ..measure.decision import Decision, Defect, defects_of
 from ..measure.delivered_rows import united_settings
-from ..measure.delivery import in_words
+from ..measure.delivery import in_words, typical_m
 from ..measure.orthoimage_cover import file_stem
 from .paper_head import TITLE
 from .words import failing_sentence, metres
@@ -84,7 +83,7 @@ def how_measured(record: InspectionRecord) -> HowMeasured:
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
-        (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
+        (tr("typical length of the pieces"), metres(typical_m(decided.piece for decided in decision.pieces))),
         *((title, words.get(scan[name], local_digits(scan[name]))) for name, title in names.items() if name in scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),

@@ -65,7 +65,7 @@ def scan(desk: Desk) -> None:
 
 
 def judge_worst(desk: Desk) -> None:
-    """Judge by the button in the message bar; then a key leads from one to the next."""
+    """Judge by the button in the message bar, which begins judging; then a key leads from one to the next."""
     button = next(
         button for item in iface.messageBar().items() for button in item.findChildren(QPushButton)
         if button.text().startswith("Judge")
@@ -78,6 +78,7 @@ def judge_worst(desk: Desk) -> None:
     gaps.note(desk.report, "judge")
     desk.report["first"] = [desk.session.row(fid).window_id for fid in desk.session.selected()]
     walked, in_sight = [], []
+    assert desk.dock.judging.is_on
     with desk.judging():
         for _ in range(min(3, len(desk.session.windows()) - 1)):
             desk.press_on_map(Qt.Key.Key_V)

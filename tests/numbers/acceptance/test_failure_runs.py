@@ -39,6 +39,10 @@ def test_along_one_seam(kept: list[float | None], expected: list[float]) -> None
     assert lengths(seam(kept)) == expected
 
 
+def test_crumbs_of_polygons_make_no_typical_piece() -> None:
+    assert lengths(seam([F, N, F]), seam([P] * 200, 0.04, seam_id="2", start=(0, 99), number=3)) == [20]
+
+
 def test_pieces_of_any_order_and_direction() -> None:
     pieces = seam([F, F, F, P])
     turned = [DeliveredPiece(**{**vars(piece), "vertices": piece.vertices[::-1]}) for piece in pieces]

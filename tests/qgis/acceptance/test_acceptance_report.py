@@ -56,7 +56,7 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
            f"{longest:.1f} m", "2 / 40", "0.0 m"]
     rows = [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
     assert row in rows
-    assert ["median length of the pieces", "25.0 m"] in rows
+    assert ["typical length of the pieces", "25.0 m"] in rows
     failures = [row for row in page.rows if row and row[0] in ("F1", "F2") and len(row) > 5]
     assert [row[1] for row in failures] == ["sheet_1", "sheet_2"]
     assert "0412_ortho.tif (2019-07-04)" in " ".join(failures[0][5].split())
