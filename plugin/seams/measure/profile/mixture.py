@@ -109,8 +109,8 @@ def fit_mixtures(products: np.ndarray, spread: np.ndarray) -> Mixtures:
 def _at_least(spread: np.ndarray, area: np.ndarray, left_over: np.ndarray, told_apart: np.ndarray) -> np.ndarray:
     """Standard deviations of shares, none too small by chance, as those of few groups are; (n, SLOTS), as the others.
 
-    Regression makes it in proportion to the noise, ``left_over`` on the ground, and to the inverse of the energy that
-    the sources are ``told_apart`` by; the median of all bins of a seam tells the factor (as Smyth 2004 moderates)."""
+    By regression their squares go with the ground's noise, which is ``left_over`` there, and with the inverse of the
+    energy that the sources are ``told_apart`` by; the median of a seam's bins tells the factor (as Smyth 2004 does)."""
     is_ground = np.arange(SLOTS) % MIXED_BINS >= BEYOND
     noise, ground = ((values * is_ground).sum(axis=1, keepdims=True) for values in (left_over, area))
     known = np.isfinite(spread) & (area > 0) & (noise > 0)
@@ -250,9 +250,8 @@ LEAST_ERROR = 0.02
 noise."""
 WIDE_ERROR, WIDE_PX = 0.05, 200.0
 """Relative error of kept of a feather so wide: there is less unmixed ground to learn tones and filters of."""
-NARROW_ERROR, NARROW_PX = 0.06, 8.0
-"""Relative error of kept of a feather narrower than that: it may be a cut whose border was drawn in the wrong place, as
-along the squares of JPEG."""
+NARROW_PX = 8.0
+"""Width of a feather: a narrower one may be a cut whose border was drawn in the wrong place, as along JPEG squares."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
 
@@ -368,8 +367,7 @@ class MixedStrips:
         error = np.sqrt(variance) / np.maximum(value, 1e-6)
         widths = np.nan_to_num(self.feather_widths_px)
         wide = WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)
-        narrow = np.where((widths > 0) & (widths < NARROW_PX), NARROW_ERROR, 0)
-        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2 + (self._unsure / np.maximum(value, 1e-6)) ** 2)
+        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + (self._unsure / np.maximum(value, 1e-6)) ** 2)
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)

@@ -122,9 +122,9 @@ def _models() -> tuple[np.ndarray, np.ndarray]:
     edges = np.array(EDGES_PX[: MIXED_BINS + 1], float)
     inside = edges[:-1, np.newaxis] + np.diff(edges)[:, np.newaxis] * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     models, prices = [], []
-    is_soft = _IS_SOFT.mean()
+    soft_share = _IS_SOFT.mean()
     for width, offset, is_even in _RAMPS:
         lower, higher = (_ramp((at - offset) / max(width, 0.5), is_even).mean(axis=1) for at in (-inside, inside))
         models.append(np.concatenate([lower, 1 - higher]))
-        prices.append(_PRICE * ((width > 0) + (offset != 0)) + 2 * np.log(is_soft if width > 0 else 1 - is_soft))
+        prices.append(_PRICE * ((width > 0) + (offset != 0)) + 2 * np.log(soft_share if width > 0 else 1 - soft_share))
     return np.array(models), np.array(prices)
