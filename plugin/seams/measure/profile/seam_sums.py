@@ -70,7 +70,7 @@ class SeamSums:
         is_endless = (mixed.shares()[MIXED_BINS - 1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT_LOW)
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
         by_energy = by_energy.times(np.where(is_endless, np.nan, mixed.before_in_strip[0]))
-        area, plain = in_strip(energy.area), in_strip(energy.plain)
+        area, plain, by_ground = map(in_strip, (energy.area, energy.plain, energy.left_by_ground))
         shared, expected, expected_shared = (
             in_strip(sums)[0] for sums in (energy.shared, energy.expected, energy.expected_shared)
         )
@@ -80,11 +80,11 @@ class SeamSums:
         is_mixed = mixed.carried * plain[0] >= MIN_CARRIED * expected_shared
         is_replaced = ~is_mixed & (more_left[0] > MOST_UNEXPLAINED * expected)
         # Of other ground than the sources' nobody knows what energy it had.
-        foreign = np.maximum(more_left - in_strip(energy.left_by_ground), 0)[0] / whole
+        foreign = np.maximum(more_left - by_ground, 0)[0] / whole
         by_energy = by_energy.times(np.where(is_replaced, np.nan, 1.0)).less_sure(foreign)
         judged, share = together(by_energy, mixed.kept.times(np.where(is_mixed, 1.0, np.nan)))
         # Codecs leave over up to twice as much from place to place, noise along a seam much more than on the ground.
-        unsure = SURE_LEFT * np.minimum(more_left, in_strip(energy.left_by_ground))[0] / whole
+        unsure = SURE_LEFT * np.minimum(more_left, by_ground)[0] / whole
         judged = judged.less_sure(unsure * (1 - share))  # of the mixture's part in it
         kept = np.where(share > 0, energy_levels * mixed.before_in_strip, mixed.levels)
         kept[0] = judged.value
