@@ -47,6 +47,7 @@ _MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and
 _OF_MIXED = 254  # number of mixed ground: what is left over there is learned apart
 _MIN_PART = 0.02  # of the ground: smaller parts are not reported
 _LEAST = 0.3  # DN squared a pixel, that rounding leaves
+_MOSTLY = 0.2  # of what counts in a square, that a source's ground fills where it is learned from
 _FEWEST_CELLS, _FEWEST_PATCHES = 160, 24  # that noise is learned from
 _BORDER_WEIGHT = 1e-3  # of cells that a border runs through, which no single source explains
 _TERMS = 0.75 * (WIDE_CELLS * FINE_CELL_PX) ** 2  # independent values in a neighbourhood, for Schwarz's criterion
@@ -102,33 +103,34 @@ def foreign_patches(
     """
     textured = energy > 0
     logs, z = np.log(np.maximum(energy, 1e-3)), _fisher(1 - left_over / np.maximum(energy, 1e-3))
-    fits: dict[int, _Fit] = {}
+    grounds: dict[int, _Ground] = {}
     for number in present(np.where(textured, labels, np.uint8(255))):
         followed = textured & (labels == number)
         if np.count_nonzero(followed) >= _FEWEST_PATCHES:
             at, middle, scatter = _by_energy(logs[followed], z[followed])
-            # Of weaker detail no more is left over: half of the patches, all weak, may be of another image. Rounding
-            # leaves as much of what is weaker than most as of that.
+            # Of weaker detail no more is left over: half of the patches, all weak, may be of another image.
             energies = np.exp(at)
             left = np.minimum.accumulate(((1 - np.tanh(middle) ** 2) * energies)[::-1])[::-1]
-            share = np.interp(logs, at, left / energies) * np.maximum(energies[0] / np.maximum(energy, 1e-3), 1)
-            expected = _fisher(1 - share)
-            fits[number] = _Fit(expected, np.interp(logs, at, scatter), float(np.quantile(expected[followed], 0.8)))
-    true = _true_sources(fits, is_compressed)
+            share = _curve(at, left / energies)
+            strong = float(np.quantile(_fisher(1 - share(energy[followed])), 0.8))
+            grounds[number] = _Ground(share, 0.0, float(np.median(scatter)), strong)
+    true = _true_sources(grounds, is_compressed)
     if not true:
         return np.zeros_like(textured), np.zeros_like(textured)
-    expected, scatter = _assigned(labels, fits, true)
-    unlikely = textured & (z < expected - _normal(1 - _FALSE_ALARM / energy.size) * scatter)
+    expected_left, _, spread = _assigned(energy, labels, grounds, true)
+    expected = _fisher(1 - expected_left / np.maximum(energy, 1e-3))
+    unlikely = textured & (z < expected - _normal(1 - _FALSE_ALARM / energy.size) * spread)
     return unlikely & (z < (expected + _fisher(1 - _STRANGER)) / 2), unlikely & (z < _alike(expected))
 
 
 @dataclass(frozen=True, eq=False)
-class _Fit:
-    """What a source explains where it is followed, on Fisher's scale."""
+class _Ground:
+    """What a source leaves over where it is followed, and how its squares lie about that on Fisher's scale."""
 
-    expected: np.ndarray
-    """What is explained by the energy at every place."""
-    scatter: np.ndarray | float
+    share: Callable[[np.ndarray], np.ndarray]
+    """Share left over by the energy."""
+    middle: float
+    scatter: float
     strong: float
     """What is explained of strong detail."""
     is_even: bool = False
@@ -231,52 +233,52 @@ class _Squares:
         highest = _fisher(1.0) - chance * _LEAST_SCATTER if is_alike else (_fisher(1.0) + stranger) / 2
         if not opened(self.textured & (self.z < highest), opening).any():
             return nothing  # whatever is expected
-        noise = self._noise()
-        fits = {number: self._fit(number, noise, ()) for number in noise}
-        true = _true_sources(fits, is_compressed)
-        if not fits or not true:
-            return self.textured if fits and is_window else nothing
-        if sum(number in noise for number in cells.sources) > 1:
-            fits = {number: self._fit(number, noise, true) for number in true}
-        expected, scatter = _assigned(cells.labels, fits, true)
+        grounds = {number: ground for number in present(cells.labels) if (ground := self._ground(number)) is not None}
+        true = _true_sources(grounds, is_compressed)
+        if not grounds or not true:
+            return self.textured if grounds and is_window else nothing
+        left_over, middle, scatter = _assigned(cells.energy, cells.labels, grounds, true)
+        brought = np.zeros_like(left_over)  # by the sources of mixed ground
+        for source, (energy, weight) in cells.sources.items():
+            if source in true:
+                brought += weight**2 * grounds[source].share(energy) * energy
+        left_over = np.maximum(left_over, np.minimum(brought, cells.energy))
+        total, around = _box_means((self.counted, left_over * self.counted), self.side)
+        expected = _fisher(1 - around / total / self.energy) + middle
         limit = _alike(expected) if is_alike else (expected + stranger) / 2
         parts = opened(self.textured & self.even & (self.z < expected - chance * scatter) & (self.z < limit), opening)
         return self._to_borders(parts, expected)
 
-    def _noise(self) -> dict[int, Callable[[np.ndarray], np.ndarray]]:
-        """Share that each source leaves over in a cell by its energy there, of those with ground enough."""
-        cells, noise = self.cells, {}
-        logs = np.log(self.energy)
-        for number in present(cells.labels):
-            followed = self.textured & (cells.labels == number)
-            if np.count_nonzero(followed) < _FEWEST_CELLS:
-                continue
-            at, middle, scatter = _by_energy(logs[followed], self.z[followed])
-            good = followed & ~cells.border & (self.z > np.interp(logs, at, middle - scatter))
-            if np.count_nonzero(good) >= _FEWEST_CELLS // 4:
-                noise[number] = _share_left(cells.energy[good], cells.left_over[good])
-        return noise
-
-    def _fit(
-        self, number: int, noise: Mapping[int, Callable[[np.ndarray], np.ndarray]], mixed: Sequence[int]
-    ) -> _Fit:
-        """What is explained where a source is followed; at least the noise of the ``mixed`` ones is left over."""
+    def _ground(self, number: int) -> _Ground | None:
+        """Ground of a source, by squares that count its cells alone; none where it is too small."""
         cells = self.cells
-        followed = self.textured & (cells.labels == number)
+        counted = np.where(cells.labels == number, self.counted, np.float32(0))
+        every, total, energy, left_over = _box_means(
+            (self.counted, counted, cells.energy * counted, cells.left_over * counted), self.side
+        )
+        followed = self.textured & (cells.labels == number) & (total > _MOSTLY * every)
+        if np.count_nonzero(followed) < _FEWEST_CELLS:
+            return None
+        energy = np.maximum(energy / np.maximum(total, 1e-9), 1e-3)
+        z, logs = _fisher(1 - left_over / np.maximum(total, 1e-9) / energy), np.log(energy)
+        at, middle, scatter = _by_energy(logs[followed], z[followed])
+        good = followed & ~cells.border & (z > np.interp(logs, at, middle - scatter))
+        if np.count_nonzero(good) < _FEWEST_CELLS // 4:
+            return None
+        share = _share_left(cells.energy[good], cells.left_over[good])
         weak, strong = np.quantile(cells.energy[followed], (0.1, 0.9))
-        weak_left, strong_left = noise[number](np.array([weak, strong])).tolist()
+        weak_left, strong_left = share(np.array([weak, strong])).tolist()
         is_even = strong_left > _EVEN_LEFT and (
             np.log(strong_left / weak_left) > _EVEN_SLOPE * max(np.log(strong / weak), 0.2)
         )
-        left_over = noise[number](cells.energy) * cells.energy
-        brought = np.zeros_like(left_over)
-        for source, (energy, weight) in cells.sources.items():
-            if source in mixed and source in noise:
-                brought += weight**2 * noise[source](energy) * energy
-        left_over = np.maximum(left_over, np.minimum(brought, cells.energy))
-        total, around = _box_means((self.counted, left_over * self.counted), self.side)
-        expected = _fisher(1 - around / total / self.energy)
-        off = (self.z - expected)[followed]
+        around = _box_means((share(cells.energy) * cells.energy * counted,), self.side)[0]
+        expected = _fisher(1 - around / np.maximum(total, 1e-9) / energy)
+        most = float(np.quantile(expected[followed], 0.8))
+        told = followed & (expected < _fisher(1.0))  # where rounding decides all squares are alike
+        if np.count_nonzero(told) >= _FEWEST_CELLS // 2:
+            followed = told
+        expected, z = expected[followed], z[followed]
+        off = z - expected
         quantiles = np.quantile(off, (0.6, 0.7, 0.8, 0.93))
         # Of two spans the narrower: the upper end is long where compression took nothing in places.
         spans = ((quantiles[3] - quantiles[1]) / (_normal(0.93) - _normal(0.7)),
@@ -284,11 +286,11 @@ class _Squares:
         scatter = max(min(spans), _LEAST_SCATTER)
         middle = quantiles[2] - _normal(0.8) * scatter
         # Once more without what is nearer to a stranger, be it nearly half of the ground.
-        likely = off[self.z[followed] > (expected[followed] + middle + _fisher(1 - _STRANGER)) / 2]
+        likely = off[z > (expected + middle + _fisher(1 - _STRANGER)) / 2]
         if len(likely) >= _FEWEST_CELLS // 2:
             middle, high = np.quantile(likely, (0.5, 0.9))
             scatter = min(scatter, max((high - middle) / _normal(0.9), _LEAST_SCATTER))
-        return _Fit(expected + middle, float(scatter), float(np.quantile(expected[followed], 0.8)), bool(is_even))
+        return _Ground(share, float(middle), float(scatter), most, bool(is_even))
 
     def _to_borders(self, parts_found: np.ndarray, expected: np.ndarray) -> np.ndarray:
         """Parts that squares found up to where half of a smaller one is within them, by correlation: the smallest that
@@ -381,30 +383,44 @@ def _share_left(energy: np.ndarray, left_over: np.ndarray) -> Callable[[np.ndarr
     bins = np.array_split(np.argsort(logs), max(2, min(10, len(logs) // 60)))
     at = np.array([logs[part].mean() for part in bins])
     share = np.minimum.accumulate([left_over[part].sum() / max(energy[part].sum(), 1e-9) for part in bins])
-    return lambda energies: np.asarray(np.interp(np.log(np.maximum(energies, 1e-3)), at, share))
+    return _curve(at, share)
 
 
-def _true_sources(fits: Mapping[int, _Fit], is_compressed: IsCompressed) -> list[int]:
+def _curve(at: np.ndarray, share: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
+    """Share left over by the energy, between those of some logarithms of it: of weaker detail as much is left over as
+    of the weakest of them."""
+
+    def left_of(energies: np.ndarray) -> np.ndarray:
+        logs = np.log(np.maximum(energies, 1e-3))
+        return np.asarray(np.minimum(np.interp(logs, at, share) * np.exp(np.maximum(at[0] - logs, 0)), 1))
+
+    return left_of
+
+
+def _true_sources(grounds: Mapping[int, _Ground], is_compressed: IsCompressed) -> list[int]:
     """Sources that are no substitutes for another image wherever they are followed."""
-    most, true = max((fit.strong for fit in fits.values()), default=0.0), []
-    for number, fit in fits.items():
+    most, true = max((ground.strong for ground in grounds.values()), default=0.0), []
+    for number, ground in grounds.items():
         if is_compressed(None if number == _OF_MIXED else number):
-            is_true = np.tanh(fit.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
+            is_true = np.tanh(ground.strong) ** 2 >= (_MIN_TRUE_MIXED if number == _OF_MIXED else _MIN_TRUE)
         else:
-            is_true = not fit.is_even and fit.strong >= _OF_BEST * most
+            is_true = not ground.is_even and ground.strong >= _OF_BEST * most
         if is_true:
             true.append(number)
     # What is mixed with a substitute is one.
-    return true if fits.keys() <= {*true, _OF_MIXED} else [number for number in true if number != _OF_MIXED]
+    return true if grounds.keys() <= {*true, _OF_MIXED} else [number for number in true if number != _OF_MIXED]
 
 
-def _assigned(labels: np.ndarray, fits: Mapping[int, _Fit], true: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
-    """What is expected at every place and its scatter, by the source that is followed there, or by the best true one
-    where that is a substitute."""
-    best = max(true, key=lambda number: fits[number].strong)
-    expected, scatter = np.zeros(labels.shape), np.ones(labels.shape)
+def _assigned(
+    energy: np.ndarray, labels: np.ndarray, grounds: Mapping[int, _Ground], true: Sequence[int]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """What is left over at every place, the middle and the scatter of its squares, by the source that is followed
+    there, or by the best true one where that is a substitute."""
+    best = max(true, key=lambda number: grounds[number].strong)
+    left_over, middle, scatter = (np.zeros(labels.shape) for _ in range(3))
     for number in np.unique(labels).tolist():
-        fit = fits[number if number in true else best]
-        np.copyto(expected, fit.expected, where=labels == number)
-        np.copyto(scatter, fit.scatter, where=labels == number)
-    return expected, scatter
+        ground, followed = grounds[number if number in true else best], labels == number
+        np.copyto(left_over, ground.share(energy) * energy, where=followed)
+        np.copyto(middle, ground.middle, where=followed)
+        np.copyto(scatter, ground.scatter, where=followed)
+    return left_over, middle, scatter
