@@ -47,7 +47,6 @@ _MIXED, _MIXED_TOTAL = 0.2, 0.75  # the lesser of two weights, of their sum; and
 _OF_MIXED = 254  # number of mixed ground: what is left over there is learned apart
 _MIN_PART = 0.02  # of the ground: smaller parts are not reported
 _LEAST = 0.3  # DN squared a pixel, that rounding leaves
-_MOSTLY = 0.2  # of what counts in a square, that a source's ground fills where it is learned from
 _FEWEST_CELLS, _FEWEST_PATCHES = 160, 24  # that noise is learned from
 _BORDER_WEIGHT = 1e-3  # of cells that a border runs through, which no single source explains
 _TERMS = 0.75 * (WIDE_CELLS * FINE_CELL_PX) ** 2  # independent values in a neighbourhood, for Schwarz's criterion
@@ -253,10 +252,8 @@ class _Squares:
         """Ground of a source, by squares that count its cells alone; none where it is too small."""
         cells = self.cells
         counted = np.where(cells.labels == number, self.counted, np.float32(0))
-        every, total, energy, left_over = _box_means(
-            (self.counted, counted, cells.energy * counted, cells.left_over * counted), self.side
-        )
-        followed = self.textured & (cells.labels == number) & (total > _MOSTLY * every)
+        total, energy, left_over = _box_means((counted, cells.energy * counted, cells.left_over * counted), self.side)
+        followed = self.textured & (cells.labels == number)
         if np.count_nonzero(followed) < _FEWEST_CELLS:
             return None
         energy = np.maximum(energy / np.maximum(total, 1e-9), 1e-3)
