@@ -5038,7 +5038,7 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="26"/>
         <source>By their reference system the points are in degrees, but one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
-        <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
+        <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}; {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="29"/>
@@ -5868,7 +5868,7 @@
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
         <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which may be a cast or the colour of the ground. Look at them and give those that are grey.</source>
-        <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}, {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
+        <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}; {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="42"/>
@@ -9399,7 +9399,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="335"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
-        <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
+        <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}; {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
     <message>
         <source>Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and some loss is certain; or the whole window is badly blurred. Reduced: some detail is lost, beyond the error of the measurement. Preserved: no certain loss.</source>
@@ -10046,7 +10046,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
-        <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
+        <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}; {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
@@ -10919,7 +10919,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="393"/>
         <source>Along {metres:.0f} m of seam, such as at {x:.1f}, {y:.1f}, up to {share:.0f} % of the mosaic are mixed into the orthoimages ({names}), which hides what it lost there. Ask for the orthoimages as they were before the mosaic was made.</source>
-        <translation>Wzdłuż {metres:.0f} m linii mozaikowania, na przykład w miejscu {x:.1f}, {y:.1f}, do {share:.0f} % ortofotomapy domieszano do ortoobrazów ({names}), co ukrywa to, co tam straciła. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
+        <translation>Wzdłuż {metres:.0f} m linii mozaikowania, na przykład w miejscu {x:.1f}; {y:.1f}, do {share:.0f} % ortofotomapy domieszano do ortoobrazów ({names}), co ukrywa to, co tam straciła. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="58"/>
@@ -11147,7 +11147,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, it is too short to be found, or the place was blurred or cut out. Check it, and give the seamlines that are missing.</source>
-        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania, jest za krótka, by ją znaleźć, albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania.</translation>
+        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}; {y:.1f}: nie podano tam linii mozaikowania, jest za krótka, by ją znaleźć, albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="127"/>
