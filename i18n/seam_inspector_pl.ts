@@ -6211,7 +6211,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
-        <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
+        <source>{value:.2%} of the measured metres failed, {limit:.2%} is allowed</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
@@ -7767,7 +7767,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
-        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to {high:.2%}</source>
+        <source>{value:.2%} of the measured metres failed, {limit:.2%} is allowed; with what is unknown it may be {low:.2%} to {high:.2%}</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
@@ -10055,7 +10055,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
-        <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
+        <source>{nonconforming} of {inspected} inspected pieces failed, at most {limit} may</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
     </message>
     <message>
@@ -10690,7 +10690,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
-        <source>{share:.0%} of the mosaic of &apos;{name}&apos; match no orthoimage and {limit:.0%} may; most of it around {place}</source>
+        <source>{share:.0%} of the mosaic of &apos;{name}&apos; match no orthoimage, {limit:.0%} is allowed; most around {place}</source>
         <translation>{share:.0%} ortofotomapy „{name}” nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}; najwięcej w pobliżu {place}</translation>
     </message>
     <message>
@@ -10858,7 +10858,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
-        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown, such as {metres:.0f} m that were not measured, it may be up to {high:.2%}</source>
+        <source>{value:.2%} of the measured metres failed, {limit:.2%} is allowed; with what is unknown, such as {metres:.0f} m that were not measured, it may be up to {high:.2%}</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wraz z tym, czego nie wiadomo, na przykład z {metres:.0f} m, których nie zmierzono, może to być do {high:.2%}</translation>
     </message>
     <message>
@@ -11112,12 +11112,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
-        <source>along {metres:.0f} of {judged:.0f} m of seam that are judged both sides show the same orthoimage, and {limit:.0%} may</source>
+        <source>along {metres:.0f} of {judged:.0f} m of seam that are judged both sides show the same orthoimage, {limit:.0%} is allowed</source>
         <translation>wzdłuż {metres:.0f} z {judged:.0f} m ocenianych linii mozaikowania po obu stronach widać ten sam ortoobraz, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
-        <source>beside {judged:.0f} m of seam that are judged the scan saw the mosaic change from one orthoimage to another along {metres:.0f} m, the longest around {place}, and {limit:.0%} may lack</source>
+        <source>beside {judged:.0f} m of seam that are judged the scan saw the mosaic change from one orthoimage to another along {metres:.0f} m, the longest around {place}; {limit:.0%} is allowed</source>
         <translation>obok {judged:.0f} m ocenianych linii mozaikowania skan widział, że ortofotomapa przechodzi z jednego ortoobrazu w drugi wzdłuż {metres:.0f} m, najdłużej w pobliżu {place}, a brakować może {limit:.0%}</translation>
     </message>
     <message>
@@ -11141,7 +11141,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
-        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, no seam is judged, or neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
+        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, no seam is judged, or neither explains the mosaic; with these {value:.2%} of the metres may have failed, {limit:.2%} is allowed</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, nie oceniono żadnej linii albo żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>

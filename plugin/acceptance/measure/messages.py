@@ -58,13 +58,13 @@ NO_LIMIT_OF_RUN = Message("no limit on metres without a break", INFO)
 NO_LIMIT_OF_MEASURED = Message("no limit on the share measured", INFO)
 SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
 SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
-SHARE_FAILED = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
+SHARE_FAILED = Message("{value:.2%} of the measured metres failed, {limit:.2%} is allowed", INFO)
 SHARE_OPEN = Message(
-    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
-    "{high:.2%}", INFO)
+    "{value:.2%} of the measured metres failed, {limit:.2%} is allowed; with what is unknown it may be {low:.2%} "
+    "to {high:.2%}", INFO)
 SHARE_UNKNOWN = Message(
-    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown, such as {metres:.0f} m "
-    "that were not measured, it may be up to {high:.2%}", INFO)
+    "{value:.2%} of the measured metres failed, {limit:.2%} is allowed; with what is unknown, such as {metres:.0f} "
+    "m that were not measured, it may be up to {high:.2%}", INFO)
 RUN_FAILED = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
@@ -78,7 +78,7 @@ RUN_IN_PIECE = Message(
 MEASURED = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message(
-    "{share:.0%} of the mosaic of '{name}' match no orthoimage and {limit:.0%} may; most of it around {place}", INFO)
+    "{share:.0%} of the mosaic of '{name}' match no orthoimage, {limit:.0%} is allowed; most around {place}", INFO)
 MOSAIC_DISPLACED = Message(
     "the mosaic of '{name}' does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m "
     "to the north of all of them", INFO)
@@ -109,18 +109,18 @@ SEAMS_UNSEEN = Message(
     "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
     "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 SEAMS_UNCHANGED = Message(
-    "along {metres:.0f} of {judged:.0f} m of seam that are judged both sides show the same orthoimage, and {limit:.0%} "
-    "may", INFO)
+    "along {metres:.0f} of {judged:.0f} m of seam that are judged both sides show the same orthoimage, {limit:.0%} "
+    "is allowed", INFO)
 SEAMS_NOT_JUDGED = Message(
     "beside {judged:.0f} m of seam that are judged the scan saw the mosaic change from one orthoimage to another along "
-    "{metres:.0f} m, the longest around {place}, and {limit:.0%} may lack", INFO)
+    "{metres:.0f} m, the longest around {place}; {limit:.0%} is allowed", INFO)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO)
 BORDER_HIDDEN = Message(
     "along {metres:.0f} m between two orthoimages, the longest around {place}, no seam is judged, or neither explains "
-    "the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
-SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
+    "the mosaic; with these {value:.2%} of the metres may have failed, {limit:.2%} is allowed", INFO)
+SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed, at most {limit} may", INFO)
 BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}", INFO)
 BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
