@@ -250,8 +250,9 @@ LEAST_ERROR = 0.02
 noise."""
 WIDE_ERROR, WIDE_PX = 0.05, 200.0
 """Relative error of kept of a feather so wide: there is less unmixed ground to learn tones and filters of."""
-NARROW_PX = 8.0
-"""Width of a feather: a narrower one may be a cut whose border was drawn in the wrong place, as along JPEG squares."""
+NARROW_ERROR, NARROW_PX = 0.06, 8.0
+"""Relative error of kept of a feather narrower than that: it may be a cut whose border was drawn in the wrong place, as
+along the squares of JPEG, or blended at the coarser scales alone."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
 
@@ -367,7 +368,8 @@ class MixedStrips:
         error = np.sqrt(variance) / np.maximum(value, 1e-6)
         widths = np.nan_to_num(self.feather_widths_px)
         wide = WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)
-        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + (self._unsure / np.maximum(value, 1e-6)) ** 2)
+        narrow = np.where((widths > 0) & (widths < NARROW_PX), NARROW_ERROR, 0)
+        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2 + (self._unsure / np.maximum(value, 1e-6)) ** 2)
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)
