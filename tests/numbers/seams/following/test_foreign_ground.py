@@ -55,6 +55,15 @@ def test_a_codec_makes_nothing_foreign(of_mosaic: int, way: str) -> None:
     assert unexplained(mosaic, given).mean() < 0.01
 
 
+@pytest.mark.parametrize("of_mosaic", [75, 85, 90])
+def test_smooth_ground_of_a_source_that_is_textured_elsewhere_is_not_foreign(of_mosaic: int) -> None:
+    """No other ground of that source tells how much noise leaves over of weak detail."""
+    contrast = np.ones(SHAPE, np.float32)
+    contrast[180:330, 300:460] = 0.15
+    planes = [120 + contrast * (image(seed) - 120) for seed in (1, 2)]
+    assert unexplained(stored(of_mosaic)(cut(*planes)), planes).mean() < 0.01
+
+
 @pytest.mark.parametrize("of_mosaic", [0, 75, 90])
 @pytest.mark.parametrize("of_sources", [0, 75])
 @pytest.mark.parametrize("common", [0.2, 0.6])
