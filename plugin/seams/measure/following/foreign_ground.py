@@ -3,12 +3,13 @@
     m = sum of w_i s_i + n,        w >= 0 and even within 36 px, of at most two sources at a time
 
 n is what compression, on either side, noise, resampling and rounding leave over. Its share of a source's detail is
-learned source by source as a function of how strong the detail is, from the better explained part of its ground. The
-correlation of what is explained has a scatter that is nearly even on Fisher's scale, z = artanh(rho) (Fisher 1921), so
-ground is foreign where squares are explained less than chance allows in a window: in squares of 216 px by chance alone,
-which tells images that resemble each other as well; in those of 56 and 104 px, where something may have moved, nearer
-to what another image of the same ground explains than to what is expected besides. Where nothing was compressed less is
-enough: 104 px for images that resemble each other, 24 px for others.
+learned source by source as a function of how strong the detail is, from the better explained part of its ground alone;
+of weaker detail than it has there, it leaves over as much. The correlation of what is explained has a scatter that is
+nearly even on Fisher's scale, z = artanh(rho) (Fisher 1921), so ground is foreign where squares are explained less than
+chance allows in a window: in squares of 216 px by chance alone, which tells images that resemble each other as well; in
+those of 56 and 104 px, where something may have moved, nearer to what another image of the same ground explains than to
+what is expected besides. Where nothing was compressed less is enough: 104 px for images that resemble each other, 24 px
+for others.
 """
 from __future__ import annotations
 
@@ -149,8 +150,6 @@ class _NoiseCells:
     """bool: where a border runs through, of labels or of a source's pixels."""
     seen: np.ndarray
     """bool: where any source has pixels."""
-    sources: Mapping[int, tuple[np.ndarray, np.ndarray]]
-    """Energy and weight of each."""
 
     @classmethod
     def of(cls, sums: CellSums, pairs: Mapping[tuple[int, int], np.ndarray]) -> _NoiseCells:
@@ -168,14 +167,12 @@ class _NoiseCells:
         masks = [valid[1::2, 1::2][:rows, :columns] for valid in sums.valid.values()]
         border = np.logical_or.reduce([near_border(plane, 1) for plane in (labels, *masks)])
         seen = np.logical_or.reduce(masks) if len(masks) == len(sums.energies) else np.ones_like(border)
-        mean_weights = {i: _means(weight) * FINE_CELL_PX**2 for i, weight in weights.items()}
         if pairs:
-            ordered = np.sort(np.stack(list(mean_weights.values())), axis=0)
+            ordered = np.sort(np.stack([_means(weight) * FINE_CELL_PX**2 for weight in weights.values()]), axis=0)
             total = ordered[-1] + ordered[-2]
             is_mixed = (ordered[-2] >= _MIXED * total) & (total > _MIXED_TOTAL)
             labels = np.where(is_mixed, np.uint8(_OF_MIXED), labels)
-        sources = {i: (_means(sums.energies[i]), mean_weights[i]) for i in weights}
-        return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen, sources)
+        return cls(energy, np.minimum(_means(np.maximum(rest, 0)), cut), labels, border, seen)
 
     def foreign(self, is_compressed: IsCompressed, is_window: bool) -> np.ndarray:
         """What squares of any size find, (rows, columns) bool; parts of images that resemble the true one count where
@@ -237,11 +234,6 @@ class _Squares:
         if not grounds or not true:
             return self.textured if grounds and is_window else nothing
         left_over, middle, scatter = _assigned(cells.energy, cells.labels, grounds, true)
-        brought = np.zeros_like(left_over)  # by the sources of mixed ground
-        for source, (energy, weight) in cells.sources.items():
-            if source in true:
-                brought += weight**2 * grounds[source].share(energy) * energy
-        left_over = np.maximum(left_over, np.minimum(brought, cells.energy))
         total, around = _box_means((self.counted, left_over * self.counted), self.side)
         expected = _fisher(1 - around / total / self.energy) + middle
         limit = _alike(expected) if is_alike else (expected + stranger) / 2
