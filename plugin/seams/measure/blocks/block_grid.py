@@ -103,11 +103,6 @@ class BlockGrid:
         """Number of columns of blocks."""
         return -(-self.grid.columns // BLOCK_PX)
 
-    @property
-    def label_size(self) -> tuple[int, int]:
-        """Columns and rows of labels."""
-        return labels_in(self.grid.columns), labels_in(self.grid.rows)
-
     def __iter__(self) -> Iterator[BlockKey]:
         """All blocks, row by row."""
         return ((row, column) for row in range(self.rows) for column in range(self.columns))
