@@ -299,21 +299,21 @@ class WholeScan:
             picture = loss_raster(loss_path, mosaic, settings.cell_px) if loss_path else nullcontext()
             with rasters_kept(), measuring(), workers.at_work() as crew, picture as raster:
                 result, shown = self._result(raster, crew)
-                told = {**settings.told, **of_reading, **result.told}
+                notes = {**settings.told, **of_reading, **result.told}
                 if raster is not None:
                     files = {"mosaic": [mosaic.ref], "sources": [source.ref for source in request.sources]}
-                    raster.close(shown, {**told, **{name: _listed(refs) for name, refs in files.items()}})
+                    raster.close(shown, {**notes, **{name: _listed(refs) for name, refs in files.items()}})
                 worst = scan_result.worst_windows(result.pieces, mosaic, settings.worst_count, settings.levels)
                 crew.tell(1.0)
         except CancelledError:  # which leaves no picture
             return None
-        told = {SYSTEM: mosaic.wkt, **self._inputs.told, **told, METRES: repr(result.seam_metres)}
+        notes = {SYSTEM: mosaic.wkt, **self._inputs.told, **notes, METRES: repr(result.seam_metres)}
         pieces, stretches = (
             tuple(scan_result.dated(piece, request.dates) for piece in every)
             for every in (result.pieces, result.stretches)
         )
         notices = (*unread, *result.notices, *scan_result.without_verdict(pieces))
-        return replace(result, pieces=pieces, stretches=stretches, worst=tuple(worst), told=told, notices=notices)
+        return replace(result, pieces=pieces, stretches=stretches, worst=tuple(worst), told=notes, notices=notices)
 
     def measured(self, loss_path: str, workers: Workers) -> tuple[ScanResult | None, list[Message]]:
         """``result`` after all ``steps``, and what could not be read in them."""
