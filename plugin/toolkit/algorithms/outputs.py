@@ -22,6 +22,7 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
     QgsProject,
@@ -106,12 +107,18 @@ def check_chosen_file(path: Path) -> None:
 
 
 def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
-    """Raise SettingsError for an output of features or a raster that can't be written where it is to go.
+    """Raise SettingsError for an output of features or a raster that can't be written where it is to go, and for a file
+    whose ending says something else than is written.
 
     Pages and charts are written last, and what keeps them from that is told then: it costs nothing that was measured.
     """
     title, is_raster = definition.description(), isinstance(definition, QgsProcessingParameterRasterDestination)
+    name, suffix = os.path.basename(text), os.path.splitext(text)[1].lower()
+    is_page = isinstance(definition, QgsProcessingParameterFileDestination) and name
+    filters = GEOTIFF_FILES if is_raster and suffix else definition.fileFilter() if is_page else ""
     check_is_file(title, text)
+    if filters and suffix not in re.findall(r"\*(\.\w+)", filters):
+        raise SettingsError(messages.FILE_FORMAT_OTHER(name=name, filters=filters.replace(";;", ", ")))
     if not is_raster and not (isinstance(definition, QgsProcessingParameterFeatureSink) and is_file(text)):
         return  # of a database server QGIS asks and tells itself
     if not text.strip() or not is_file(text) or (is_raster and text.startswith("ogr:")):

@@ -201,12 +201,18 @@ class Mending:
         with files_written(place), rasters_kept(), tempfile.TemporaryDirectory(
             prefix=unfinished_name(place), dir=place.parent
         ) as folder:
-            tried = list(self._tried(Path(folder)))
-            cuts = {number: cut.vertices for number, cut in enumerate(tried) if cut.window is not None}
+            tried: list[MendedRun] = []  # without their patches, which are files in the folder
+            for number, (key, _) in enumerate(self._cuts):
+                cut: MendedRun | None = held(_LOOK, self._journal.files, key)
+                assert cut is not None
+                if cut.patch is not None:
+                    cut.patch.tofile(Path(folder) / _patch_name(number))
+                tried.append(replace(cut, patch=None))
+            cuts = {n: cut.vertices for n, cut in enumerate(tried) if cut.window is not None}
             patches = {str(Path(folder) / _patch_name(n)): cut.window for n, cut in enumerate(tried) if cut.window}
             write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, patches)
             kept = self._measured(path, cuts, workers) if cuts else {}
-            seams = [self._judged(number, cut, kept.get(number)) for number, cut in enumerate(tried)]
+            seams = [self._judged(n, cut, kept.get(n)) for n, cut in enumerate(tried)]
             better = {
                 str(self._folder / seam.patch): seam.cut.window for seam in seams if seam.patch and seam.cut.window
             }
@@ -220,15 +226,6 @@ class Mending:
             MendedSeam(run, MendedRun((number, 0), reason), LEFT, reason=reason)
             for number, run in enumerate(unnamed, len(named))
         ]
-
-    def _tried(self, folder: Path) -> Iterator[MendedRun]:
-        """All cuts, without their patches, which are files in this folder."""
-        for number, (key, _) in enumerate(self._cuts):
-            cut: MendedRun | None = held(_LOOK, self._journal.files, key)
-            assert cut is not None
-            if cut.patch is not None:
-                cut.patch.tofile(folder / _patch_name(number))
-            yield replace(cut, patch=None)
 
     def _measured(self, path: str, cuts: dict[int, np.ndarray | None], workers: Workers) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of
