@@ -31,10 +31,10 @@ from ....imagery.open_raster import OpenRaster, describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import Column
+from ....imagery.records import Column, RecordFolder
 from .. import messages
 from ..blocks.block_grid import BlockKey, ScanSettings
-from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanJournal, ScanStep, held, journal_beside
+from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanStep, held, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
@@ -152,7 +152,7 @@ def metres(seams: Sequence[MendedSeam], *outcomes: str) -> float:
 class Mending:
     """One mending, which may have begun in an earlier run of the program."""
 
-    def __init__(self, request: MendRequest, patches: str, mended: str, journal: ScanJournal) -> None:
+    def __init__(self, request: MendRequest, patches: str, mended: str, journal: RecordFolder) -> None:
         """``patches``: a folder."""
         self.request, self._journal, self._mended, self._folder = request, journal, mended, Path(patches)
         self._cuts: list[tuple[BlockKey, SeamRun]] = []

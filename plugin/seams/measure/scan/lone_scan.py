@@ -9,6 +9,7 @@ import numpy as np
 
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
+from ....imagery.records import RecordFolder
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, UNITS, BlockKey, blocks_near, place_of, rectangles, units_along
 from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading
@@ -16,7 +17,7 @@ from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
 from ..seamlines.seam_pieces import PieceIndex, around_pieces
 from ..workers import Workers, measuring
-from .block_runs import BlockLook, JournaledBlocks, ScanJournal, ScanStep, held
+from .block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import (
     MARGIN_PX,
@@ -89,7 +90,7 @@ LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, LoneScan)
 class LoneScanning:
     """Measures blocks, then reads them one by one from the journal, so that memory grows with the seams only."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
+    def __init__(self, request: ScanRequest, journal: RecordFolder) -> None:
         self._request, self._mosaic, self._pieces = request, request.mosaic, request.pieces
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks

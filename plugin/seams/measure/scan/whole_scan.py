@@ -25,6 +25,7 @@ from ....imagery.lines import points_along
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.rasters import Raster, RasterRef
+from ....imagery.records import RecordFolder
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SYSTEM, PieceState
 from .. import messages
 from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, ScanSettings, labels_in, place_of, squares_met
@@ -40,7 +41,7 @@ from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, r
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
 from . import piece_sums, scan_result
-from .block_runs import BlockRun, ScanInputs, ScanJournal, ScanStep, journal_beside
+from .block_runs import BlockRun, ScanInputs, ScanStep, journal_beside
 from .followed_ground import LEAST_BESIDE, LEAST_UNEXPLAINED, FollowedGround, common_shift
 from .lone_scan import LoneScanning
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
@@ -64,7 +65,7 @@ def _listed(rasters: Iterable[RasterRef]) -> str:
 class Gathering:
     """Puts together what a journal holds."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
+    def __init__(self, request: ScanRequest, journal: RecordFolder, reading: MosaicReading) -> None:
         self._request, self._files, self._reading = request, journal.files, reading
         self._blocks = request.blocks
         self._shown: dict[int, int] = {}  # numbers of the sources in the picture of losses
@@ -260,7 +261,7 @@ class WholeScan:
     """One scan, which may have begun in an earlier run."""
 
     def __init__(
-        self, request: ScanRequest, journal: ScanJournal, notice: Message | None, inputs: ScanInputs
+        self, request: ScanRequest, journal: RecordFolder, notice: Message | None, inputs: ScanInputs
     ) -> None:
         """``inputs``: as they are before they are read."""
         self.request, self._journal, self._inputs = request, journal, inputs
