@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from functools import partial
@@ -24,7 +24,7 @@ from ....imagery.grids import shared_extent
 from ....imagery.lines import points_along
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
-from ....imagery.rasters import Raster, RasterRef
+from ....imagery.rasters import Raster
 from ....imagery.records import RecordFolder
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SYSTEM, PieceState
 from .. import messages
@@ -55,11 +55,6 @@ _MOST_AROUND = 5.0
 neighbour: 22."""
 _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 """Shares of the time at the ends of what there is to do."""
-
-
-def _listed(rasters: Iterable[RasterRef]) -> str:
-    """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
-    return json.dumps([path for raster in rasters for path in raster.paths], ensure_ascii=False)
 
 
 class Gathering:
@@ -302,8 +297,11 @@ class WholeScan:
                 result, shown = self._result(raster, crew)
                 notes = {**settings.told, **of_reading, **result.told}
                 if raster is not None:
-                    files = {"mosaic": [mosaic.ref], "sources": [source.ref for source in request.sources]}
-                    raster.close(shown, {**notes, **{name: _listed(refs) for name, refs in files.items()}})
+                    # So that somebody else finds what it was made of, wherever the program was started.
+                    sources = [path for source in request.sources for path in source.ref.paths]
+                    paths = {"mosaic": mosaic.ref.paths, "sources": sources}
+                    files = {name: json.dumps(held, ensure_ascii=False) for name, held in paths.items()}
+                    raster.close(shown, {**notes, **files})
                 worst = scan_result.worst_windows(result.pieces, mosaic, settings.worst_count, settings.levels)
                 crew.tell(1.0)
         except CancelledError:  # which leaves no picture
