@@ -84,8 +84,8 @@ def refuse_outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> None:
     """Raise SettingsError for outputs that can't be where they are to go, that are one file, or a file of an input,
-    sidecars included."""
-    wanted = []
+    sidecars included, and for files and rasters whose endings say something else than is written."""
+    wanted, endings = [], []
     for definition in algorithm.destinationParameterDefinitions():
         if text := output_text(parameters.get(definition.name()), context):
             _refuse_impossible(definition, text)
@@ -94,7 +94,13 @@ def refuse_outputs(
             wanted.append((title := definition.description(), place))
             if place.path != text and os.path.isfile(text):  # though a layer of that name gets another ending
                 wanted.append((title, DataPlace(text)))
+            is_raster = isinstance(definition, QgsProcessingParameterRasterDestination) and Path(text).suffix
+            is_other = isinstance(definition, QgsProcessingParameterFileDestination) and Path(text).name
+            endings.append((Path(text), GEOTIFF_FILES if is_raster else definition.fileFilter() if is_other else ""))
     check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
+    for path, filters in endings:
+        if filters and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
+            raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
 
 
 def check_chosen_file(path: Path) -> None:
@@ -107,18 +113,12 @@ def check_chosen_file(path: Path) -> None:
 
 
 def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
-    """Raise SettingsError for an output of features or a raster that can't be written where it is to go, and for a file
-    whose ending says something else than is written.
+    """Raise SettingsError for an output of features or a raster that can't be written where it is to go.
 
     Pages and charts are written last, and what keeps them from that is told then: it costs nothing that was measured.
     """
     title, is_raster = definition.description(), isinstance(definition, QgsProcessingParameterRasterDestination)
-    name, suffix = os.path.basename(text), os.path.splitext(text)[1].lower()
-    is_page = isinstance(definition, QgsProcessingParameterFileDestination) and name
-    filters = GEOTIFF_FILES if is_raster and suffix else definition.fileFilter() if is_page else ""
     check_is_file(title, text)
-    if filters and suffix not in re.findall(r"\*(\.\w+)", filters):
-        raise SettingsError(messages.FILE_FORMAT_OTHER(name=name, filters=filters.replace(";;", ", ")))
     if not is_raster and not (isinstance(definition, QgsProcessingParameterFeatureSink) and is_file(text)):
         return  # of a database server QGIS asks and tells itself
     if not text.strip() or not is_file(text) or (is_raster and text.startswith("ogr:")):
