@@ -118,7 +118,7 @@ class Desk:
                 self._iface.messageBar().pushMessage(tr("Seam Inspector"), why_not, warning, 0)  # until it is read
                 return
             self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
-            width = self.dock.standard_width
+            width = max(420, 46 * self.dock.fontMetrics().averageCharWidth())  # nothing is cut off
             self._iface.mainWindow().resizeDocks([self.dock], [width], Qt.Orientation.Horizontal)
             self.dock.setToggleVisibilityAction(self.action)
             self.dock.openedStateChanged.connect(self._remember)

@@ -33,16 +33,16 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(4671, 0, 0),
-    "plugin/seams/measure": Measures(16320, 1, 0),
-    "plugin/seams": Measures(12993, 0, 0),
+    "plugin/imagery": Measures(4669, 0, 0),
+    "plugin/seams/measure": Measures(16272, 1, 0),
+    "plugin/seams": Measures(12992, 0, 0),
     "plugin/acceptance": Measures(5400, 1, 0),
-    "plugin/toolkit": Measures(4307, 0, 0),
+    "plugin/toolkit": Measures(4286, 0, 0),
     "plugin/noise": Measures(1922, 0, 0),
     "plugin/radiometry": Measures(1988, 0, 0),
     "plugin/resolution": Measures(2986, 0, 0),
     "plugin/photos": Measures(3397, 0, 0),
-    "plugin/sensors": Measures(5084, 0, 0),
+    "plugin/sensors": Measures(5083, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1061, 0, 0),
     "tests": Measures(47947, 0, 0),

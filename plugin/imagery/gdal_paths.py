@@ -266,13 +266,8 @@ def remote_settings(**more: str) -> Iterator[None]:
         yield
 
 
-_failures: dict[str, tuple[float, Message]] = {}
+failures: dict[str, tuple[float, Message]] = {}
 """Until when a path is not asked for again, and why."""
-
-
-def forget_failures() -> None:
-    """Ask again for all that failed."""
-    _failures.clear()
 
 
 def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result:
@@ -281,7 +276,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     Raises RasterError with the cause, or what ``read`` raises about a raster that came whole. What failed is
     remembered for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
     """
-    known = _failures.get(path)
+    known = failures.get(path)
     if known is not None and time.monotonic() < known[0]:
         raise RasterError(known[1])
     with suppress(RasterError), remote_settings():
@@ -302,7 +297,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
         except RasterError as error:
             failure = error.message
     if is_remote(path):
-        _failures[path] = time.monotonic() + REMEMBERED_S, failure
+        failures[path] = time.monotonic() + REMEMBERED_S, failure
     raise RasterError(failure)
 
 

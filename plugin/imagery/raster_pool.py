@@ -15,7 +15,7 @@ from functools import lru_cache
 from typing import Any, TypeVar
 
 from .errors import RasterError
-from .gdal_paths import file_stamp, forget_failures, readable_path
+from .gdal_paths import failures, file_stamp, readable_path
 from .open_raster import OpenRaster
 from .rasters import RasterRef
 
@@ -54,7 +54,7 @@ def close_rasters() -> None:
         every = list(_kept_by_all)
     for kept in every:
         kept.cache_clear()
-    forget_failures()
+    failures.clear()
 
 
 _threads = threading.local()

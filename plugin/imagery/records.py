@@ -359,6 +359,9 @@ class RecordFiles:
 class RecordFolder:
     """Records of one thing, for this process alone; the lock ends with it. Made when it is not there."""
 
+    is_shared = True
+    """Whether all who are to write records see the folder."""
+
     def __init__(self, folder: Path, kind: str, of: str = "") -> None:
         """``kind``: what such folders are for; ``of``: what the records are of, in one line. Records of something else
         are deleted, and what one is that was not written whole.

@@ -89,20 +89,16 @@ _MARKED = re.compile(r"/\*tr\*/'([^']*)'")  # a text within an expression: ``/*t
 
 def load_style(layer: QgsMapLayer, name: str) -> None:
     """Give a layer one of our styles: its legend, labels, map tip and what its table says in the user's language."""
-    document = _document(name)
+    document = style_document(name)
     layer.importNamedStyle(document)
     if isinstance(layer, QgsVectorLayer):
         if expression := document.documentElement().firstChildElement("previewExpression").text():
             layer.setDisplayExpression(expression)
-        _name_fields(layer, document)
+        name_fields(layer, document)
 
 
-def name_fields(layer: QgsVectorLayer, name: str) -> None:
+def name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
     """Call the fields of a layer, and the words in them, as one of our styles does, where its user does not."""
-    _name_fields(layer, _document(name))
-
-
-def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
     fields = layer.fields()
     widgets = [layer.editorWidgetSetup(index) for index in range(fields.count())]
     for index in range(fields.count()):
@@ -122,7 +118,9 @@ def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
         field = field.nextSiblingElement("field")
 
 
-def _document(name: str) -> QDomDocument:
+def style_document(name: str) -> QDomDocument:
+    """One of our styles, its words in the user's language."""
+
     def worded(marked: re.Match[str]) -> str:
         return "'" + escape(tr(marked[1]).replace("'", "''"), {'"': "&quot;"}) + "'"
 

@@ -9,7 +9,7 @@ from enum import Enum
 from itertools import product
 
 import numpy as np
-from osgeo import gdal
+from osgeo import gdal, gdal_array
 
 from ..imagery.gdal_calls import gdal_silenced, taken_from_memory
 from ..imagery.grids import PixelWindow
@@ -139,9 +139,7 @@ def encoded(pixels: np.ndarray, driver: str, quality: int = 88) -> bytes:
     bands = np.moveaxis(np.atleast_3d(pixels), 2, 0)
     path = f"/vsimem/report-{id(pixels)}"
     with gdal_silenced():
-        memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), gdal.GDT_Byte)
-        for i, band in enumerate(bands, 1):
-            memory.GetRasterBand(i).WriteArray(np.ascontiguousarray(band))
+        memory = gdal_array.OpenArray(np.ascontiguousarray(bands))
         options = [f"QUALITY={quality}"] if driver == "JPEG" else []
         copy = gdal.GetDriverByName(driver).CreateCopy(path, memory, options=options)
         copy = None  # noqa: F841 - closing the dataset writes the file

@@ -47,7 +47,7 @@ class JudgeBar(QWidget):
         self._session, self._judging = session, judging
         self._asked = 0
         self._chip = QLabel(self)
-        self._sentence = ClippedLabel(_LINES[0], self)
+        self._sentence = ClippedLabel(_LINES[0], self, _LINES[1])
         self._why = QToolButton(self)
         self._why.setText(tr("Why?"))
         self._why.setAutoRaise(True)
@@ -79,7 +79,6 @@ class JudgeBar(QWidget):
         self.remark, self.operators = self._remark_button(), self._choice()
         self._progress = ClippedLabel(1, self)
         self._lay_out()
-        self._sentence.set_lines(*_LINES)
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)

@@ -24,7 +24,7 @@ from qgis.core import (
 
 from ...imagery.errors import WindowLayerError
 from ...toolkit import messages as toolkit_messages
-from ...toolkit.layer_styles import load_style, name_fields
+from ...toolkit.layer_styles import load_style, name_fields, style_document
 from ...toolkit.layers import edit_step, has_numbers, layer_path, system_wkt
 from ...toolkit.reference_systems import keep_system
 from ...toolkit.table_fields import column_fields, column_values, feature, is_known
@@ -140,7 +140,7 @@ def add_levels(layer: QgsVectorLayer, levels: int) -> None:
         if layer.isEditable() or not layer.dataProvider().addAttributes(missing):
             raise WindowLayerError(messages.FIELD_NOT_HELD(name=layer.name(), field=missing[0].name()))
         layer.updateFields()
-        name_fields(layer, "windows")
+        name_fields(layer, style_document("windows"))
 
 
 def new_windows(

@@ -99,7 +99,6 @@ class Adjustment:
     def check(self) -> Accuracy:
         return accuracy(self.residuals_px, self.residuals_m, self.points.check & ~self.blunder)
 
-
     @property
     def notices(self) -> list[Message]:
         """What makes it doubtful."""

@@ -80,9 +80,7 @@ class _Checked:
         common.check_values(self, self.for_check(parameters), context)
         common.check_files(self, parameters)
         refuse_outputs(self, parameters, context)
-        run = Run(self, parameters, context)
-        run.check_endings()
-        return run
+        return Run(self, parameters, context)
 
 
 class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):

@@ -22,6 +22,7 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
     QgsProject,
@@ -83,8 +84,8 @@ def refuse_outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> None:
     """Raise SettingsError for outputs that can't be where they are to go, that are one file, or a file of an input,
-    sidecars included."""
-    wanted = []
+    sidecars included, and for files and rasters whose endings say something else than is written."""
+    wanted, endings = [], []
     for definition in algorithm.destinationParameterDefinitions():
         if text := output_text(parameters.get(definition.name()), context):
             _refuse_impossible(definition, text)
@@ -93,7 +94,13 @@ def refuse_outputs(
             wanted.append((title := definition.description(), place))
             if place.path != text and os.path.isfile(text):  # though a layer of that name gets another ending
                 wanted.append((title, DataPlace(text)))
+            is_raster = isinstance(definition, QgsProcessingParameterRasterDestination) and Path(text).suffix
+            is_other = isinstance(definition, QgsProcessingParameterFileDestination) and Path(text).name
+            endings.append((Path(text), GEOTIFF_FILES if is_raster else definition.fileFilter() if is_other else ""))
     check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
+    for path, filters in endings:
+        if filters and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
+            raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
 
 
 def check_chosen_file(path: Path) -> None:

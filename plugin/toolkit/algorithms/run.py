@@ -1,7 +1,6 @@
 """One run of an algorithm: what its parameters hold, and where its results and messages go."""
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable
@@ -17,8 +16,6 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterRasterDestination,
     QgsProperty,
     QgsVectorLayer,
 )
@@ -29,7 +26,7 @@ from ..layer_styles import layer_styler
 from ..translation import sentence
 from . import parameters as common
 from .feature_sinks import FeatureSinks, Sink
-from .outputs import GEOTIFF_FILES, is_file, output_text, table_place
+from .outputs import is_file, output_text, table_place
 
 if TYPE_CHECKING:
     from ...imagery.errors import Message
@@ -255,16 +252,6 @@ class Run:
         wanted = self.parameters.get(name)
         path = self._algorithm.parameterAsFileOutput(self.parameters, name, self.context) if wanted else ""
         return Path(path) if path else None
-
-    def check_endings(self) -> None:
-        """Raise SettingsError for a file or a raster whose ending says something else than is written."""
-        for definition in self._algorithm.destinationParameterDefinitions():
-            path = Path(output_text(self.parameters.get(definition.name()), self.context))
-            is_raster = isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix
-            is_other = isinstance(definition, QgsProcessingParameterFileDestination) and path.name
-            filters = GEOTIFF_FILES if is_raster else definition.fileFilter() if is_other else ""
-            if filters and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
-                raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))
 
     def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
         """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.

@@ -117,11 +117,6 @@ class ToolDock(QgsDockWidget):
         self._iface = iface
         self._canvas = iface.mapCanvas()
 
-    @property
-    def standard_width(self) -> int:
-        """Pixels at which nothing is cut off on the right of the map."""
-        return max(420, 46 * self.fontMetrics().averageCharWidth())
-
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
         self.visibilityChanged.disconnect(self._clear_map)

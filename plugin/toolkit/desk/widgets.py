@@ -70,9 +70,10 @@ class ClippedLabel(QtWidgets.QLabel):
     What does not fit ends in an ellipsis; the tooltip tells all of it, which a click shows at once.
     """
 
-    def __init__(self, lines: int, parent: QtWidgets.QWidget | None = None) -> None:
+    def __init__(self, lines: int, parent: QtWidgets.QWidget | None = None, most: int = 0) -> None:
+        """``most``: lines, where the height follows the text."""
         super().__init__(parent)
-        self._fewest = self._most = lines
+        self._fewest, self._most = lines, max(lines, most)
         self._text = ""
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
@@ -91,11 +92,6 @@ class ClippedLabel(QtWidgets.QLabel):
             self._text = text
             self.setAccessibleName(text)
             self._fit()
-
-    def set_lines(self, fewest: int, most: int) -> None:
-        """Set between how many lines the height follows the text."""
-        self._fewest, self._most = fewest, most
-        self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -103,11 +103,6 @@ class BlockGrid:
         """Number of columns of blocks."""
         return -(-self.grid.columns // BLOCK_PX)
 
-    @property
-    def label_size(self) -> tuple[int, int]:
-        """Columns and rows of labels."""
-        return labels_in(self.grid.columns), labels_in(self.grid.rows)
-
     def __iter__(self) -> Iterator[BlockKey]:
         """All blocks, row by row."""
         return ((row, column) for row in range(self.rows) for column in range(self.columns))
@@ -144,23 +139,12 @@ _MOST_UNITS = 2560  # of a rectangle, 2.6 million px: beyond that it only takes 
 _ALONE_PX = 60_000.0  # pixels that take as long as the mere calls
 
 
-def rectangles(wanted: np.ndarray) -> list[PixelWindow]:
-    """Rectangles that cover the units, (rows, columns) bool, and no unit twice; pixels from the corner of the first
-    unit on.
+def rectangles(wanted: np.ndarray, top: int = 0, left: int = 0) -> list[PixelWindow]:
+    """Rectangles that cover the units, (rows, columns) bool, and no unit twice, in pixels; ``top``, ``left``: row and
+    column of the first unit of a part.
 
     The rectangle around all is cut in two where that saves most time, and so are its parts, as long as it saves any.
     """
-    return [
-        PixelWindow(left * UNIT_PX, top * UNIT_PX, (right - left) * UNIT_PX, (bottom - top) * UNIT_PX)
-        for top, bottom, left, right in _divided(wanted, 0, 0)
-    ]
-
-
-_Part = tuple[int, int, int, int]  # first and last row, first and last column
-
-
-def _divided(wanted: np.ndarray, top: int, left: int) -> list[_Part]:
-    """Rectangles of a part whose first unit is at ``top``, ``left``."""
     rows, columns = (np.flatnonzero(wanted.any(axis=axis)) for axis in (1, 0))
     if not len(rows):
         return []
@@ -170,12 +154,12 @@ def _divided(wanted: np.ndarray, top: int, left: int) -> list[_Part]:
     best = float("inf") if height * width > _MOST_UNITS else float(_costs(np.array(height), np.array(width)))
     down, across = _costs_of_cuts(wanted), _costs_of_cuts(wanted.T)
     if min(down.min(initial=np.inf), across.min(initial=np.inf)) >= best:
-        return [(top, top + height, left, left + width)]
+        return [PixelWindow(left * UNIT_PX, top * UNIT_PX, width * UNIT_PX, height * UNIT_PX)]
     if down.min(initial=np.inf) <= across.min(initial=np.inf):
         cut = int(down.argmin()) + 1
-        return _divided(wanted[:cut], top, left) + _divided(wanted[cut:], top + cut, left)
+        return rectangles(wanted[:cut], top, left) + rectangles(wanted[cut:], top + cut, left)
     cut = int(across.argmin()) + 1
-    return _divided(wanted[:, :cut], top, left) + _divided(wanted[:, cut:], top, left + cut)
+    return rectangles(wanted[:, :cut], top, left) + rectangles(wanted[:, cut:], top, left + cut)
 
 
 def _costs_of_cuts(wanted: np.ndarray) -> np.ndarray:

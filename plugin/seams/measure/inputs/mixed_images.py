@@ -23,6 +23,7 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.statistics import NORMAL_95
+from ....imagery.wavelets import detail_components
 from .. import messages
 from ..following.boxes import in_squares
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, around_pieces
@@ -133,6 +134,4 @@ def _detail(clip: Clip) -> np.ndarray:
     """The three finest details of a clip's grey values, by Haar's wavelet: those of a sharp edge stay in their cell."""
     grey = clip.bands[: 3 if clip.raster.has_luminance else 1].mean(axis=0, dtype=np.float64)
     rows, columns = (size // 2 * 2 for size in grey.shape)
-    top, bottom = grey[:rows:2, :columns], grey[1:rows:2, :columns]
-    low, high = top + bottom, top - bottom
-    return np.stack([low[:, ::2] - low[:, 1::2], high[:, ::2] + high[:, 1::2], high[:, ::2] - high[:, 1::2]]) / 2
+    return next(detail_components(grey[np.newaxis, :rows, :columns], "haar", 1))[:, 0]

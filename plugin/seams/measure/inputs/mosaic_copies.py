@@ -151,7 +151,8 @@ class _Comparison:
         self._patches: dict[tuple[int, int], _Patch | None] = {}
         self._compared_places: dict[tuple[int, int], tuple[float, float]] = {}
         patches = []
-        for window in _windows(mosaic):
+        counts = [min(max(size // SIDE_PX, FEWEST_PLACES), PLACES) for size in (mosaic.rows, mosaic.columns)]
+        for window in even_places(mosaic.whole, SIDE_PX, (counts[0], counts[1])):
             with suppress(RasterError):
                 patch = self._read(mosaic.ref, window)
                 coarse = patch.averaged(AVERAGED_PX)
@@ -255,9 +256,3 @@ class _Comparison:
         clip = read_clip(self._opened(ref), self._mosaic, window, partly=True)
         valid = np.ones(clip.bands.shape[1:], bool) if clip.valid is None else clip.valid
         return _Patch(clip.bands[0].astype(np.float64), valid)
-
-
-def _windows(mosaic: Raster) -> Iterator[PixelWindow]:
-    """Patches that lie evenly from one end of the mosaic to the other."""
-    down, across = (min(max(size // SIDE_PX, FEWEST_PLACES), PLACES) for size in (mosaic.rows, mosaic.columns))
-    return even_places(PixelWindow(0, 0, mosaic.columns, mosaic.rows), SIDE_PX, (down, across))

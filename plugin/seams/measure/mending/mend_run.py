@@ -373,8 +373,7 @@ def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: 
     """
     opaque = np.iinfo(pixels.dtype).max if pixels.dtype.kind != "f" else 255
     made = np.where(inside, np.concatenate([pixels, np.full_like(pixels[:1], opaque)]), 0).astype(pixels.dtype)
-    kind = gdal_array.NumericTypeCodeToGDALTypeCode(pixels.dtype.type)
-    dataset = gdal.GetDriverByName("MEM").Create("", window.width, window.height, len(made), kind)
+    dataset = gdal_array.OpenArray(made)
     _, across, skew, _, down, height = mosaic.placement
     x, y = mosaic.grid.to_map(window.column, window.row)
     dataset.SetGeoTransform((x, across, skew, y, down, height))
@@ -382,9 +381,8 @@ def patch_file(mosaic: Raster, window: PixelWindow, pixels: np.ndarray, inside: 
     for number, name in enumerate(mosaic.band_names, 1):
         dataset.GetRasterBand(number).SetColorInterpretation(_ROLES.get(name, gdal.GCI_Undefined))
     dataset.GetRasterBand(len(made)).SetColorInterpretation(gdal.GCI_AlphaBand)
-    dataset.WriteArray(made)
     # GDAL takes alpha for a mask in grey and coloured images of 8 and 16 bits, without sign, only: others get one.
-    mask = "auto" if len(made) in (2, 4) and kind in (gdal.GDT_Byte, gdal.GDT_UInt16) else len(made)
+    mask = "auto" if len(made) in (2, 4) and made.dtype in (np.uint8, np.uint16) else len(made)
     path = f"/vsimem/patch_{uuid4().hex}.tif"
     with whole_raster(path), gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=path)):
         gdal.Translate(path, dataset, format="COG", creationOptions=_COG, maskBand=mask)

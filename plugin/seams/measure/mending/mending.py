@@ -31,10 +31,10 @@ from ....imagery.open_raster import OpenRaster, describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import Column
+from ....imagery.records import Column, RecordFolder
 from .. import messages
 from ..blocks.block_grid import BlockKey, ScanSettings
-from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanJournal, ScanStep, held, journal_beside
+from ..scan.block_runs import BlockLook, JournaledBlocks, ScanInputs, ScanStep, held, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
@@ -152,7 +152,7 @@ def metres(seams: Sequence[MendedSeam], *outcomes: str) -> float:
 class Mending:
     """One mending, which may have begun in an earlier run of the program."""
 
-    def __init__(self, request: MendRequest, patches: str, mended: str, journal: ScanJournal) -> None:
+    def __init__(self, request: MendRequest, patches: str, mended: str, journal: RecordFolder) -> None:
         """``patches``: a folder."""
         self.request, self._journal, self._mended, self._folder = request, journal, mended, Path(patches)
         self._cuts: list[tuple[BlockKey, SeamRun]] = []
@@ -201,12 +201,18 @@ class Mending:
         with files_written(place), rasters_kept(), tempfile.TemporaryDirectory(
             prefix=unfinished_name(place), dir=place.parent
         ) as folder:
-            tried = list(self._tried(Path(folder)))
-            cuts = {number: cut.vertices for number, cut in enumerate(tried) if cut.window is not None}
+            tried: list[MendedRun] = []  # without their patches, which are files in the folder
+            for number, (key, _) in enumerate(self._cuts):
+                cut: MendedRun | None = held(_LOOK, self._journal.files, key)
+                assert cut is not None
+                if cut.patch is not None:
+                    cut.patch.tofile(Path(folder) / _patch_name(number))
+                tried.append(replace(cut, patch=None))
+            cuts = {n: cut.vertices for n, cut in enumerate(tried) if cut.window is not None}
             patches = {str(Path(folder) / _patch_name(n)): cut.window for n, cut in enumerate(tried) if cut.window}
             write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, patches)
             kept = self._measured(path, cuts, workers) if cuts else {}
-            seams = [self._judged(number, cut, kept.get(number)) for number, cut in enumerate(tried)]
+            seams = [self._judged(n, cut, kept.get(n)) for n, cut in enumerate(tried)]
             better = {
                 str(self._folder / seam.patch): seam.cut.window for seam in seams if seam.patch and seam.cut.window
             }
@@ -220,15 +226,6 @@ class Mending:
             MendedSeam(run, MendedRun((number, 0), reason), LEFT, reason=reason)
             for number, run in enumerate(unnamed, len(named))
         ]
-
-    def _tried(self, folder: Path) -> Iterator[MendedRun]:
-        """All cuts, without their patches, which are files in this folder."""
-        for number, (key, _) in enumerate(self._cuts):
-            cut: MendedRun | None = held(_LOOK, self._journal.files, key)
-            assert cut is not None
-            if cut.patch is not None:
-                cut.patch.tofile(folder / _patch_name(number))
-            yield replace(cut, patch=None)
 
     def _measured(self, path: str, cuts: dict[int, np.ndarray | None], workers: Workers) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of

@@ -99,7 +99,7 @@ _KIND = "Seam Inspector: journal of a scan"
 
 
 @contextmanager
-def journal_beside(output: Path, ending: str, fingerprint: str) -> Iterator[tuple[ScanJournal, Message | None]]:
+def journal_beside(output: Path, ending: str, fingerprint: str) -> Iterator[tuple[RecordFolder, Message | None]]:
     """The journal beside an output, for this run alone, and what became of an earlier run. What was killed while it
     wrote the output leaves nothing.
 
@@ -113,15 +113,16 @@ def journal_beside(output: Path, ending: str, fingerprint: str) -> Iterator[tupl
         journal.close()
 
 
-def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | None]:
-    """The journal in a folder, for this scan alone, and what the user should know of an earlier one there.
+def open_journal(path: Path, fingerprint: str) -> tuple[RecordFolder, Message | None]:
+    """The journal in a folder, for this scan alone, of what it has measured so far, and what the user should know of an
+    earlier one there. What is measured outlives the process; what was written last may be lost with the power.
 
     An earlier scan of the same ``fingerprint`` goes on. Of another fingerprint nothing is kept.
 
     Raises SettingsError where no folder can be, another scan has it, or it is something else.
     """
     try:
-        journal = ScanJournal(path, _KIND, fingerprint)
+        journal = RecordFolder(path, _KIND, fingerprint)
     except (OSError, SettingsError) as error:
         why = error.message if isinstance(error, SettingsError) else system_reason(error)
         raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=why)) from None
@@ -129,16 +130,6 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
         return journal, messages.SCAN_ANEW()
     done = len(journal.files.names)
     return journal, messages.GOES_ON(done=done) if done else None
-
-
-class ScanJournal(RecordFolder):
-    """What a scan is of, and what it has measured so far.
-
-    What is measured outlives the process; what was written last may be lost with the power, and is measured again.
-    """
-
-    is_shared = True
-    """Whether all who measure see the files."""
 
 
 def save(files: RecordFiles, name: str, payload: bytes) -> None:
@@ -206,7 +197,7 @@ class ScanStep:
 class JournaledBlocks:
     """Has blocks measured that a journal doesn't hold yet; knows how much is done, and how long the rest will take."""
 
-    def __init__(self, journal: ScanJournal, workers: Workers) -> None:
+    def __init__(self, journal: RecordFolder, workers: Workers) -> None:
         self._journal, self._workers = journal, workers
         self._total = self._done = self._timed = 0
         self._started = time.monotonic()
@@ -284,7 +275,7 @@ def _name(look: BlockLook, key: BlockKey) -> str:
 class BlockRun:
     """Measures the blocks that a journal doesn't hold yet."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
+    def __init__(self, request: ScanRequest, journal: RecordFolder) -> None:
         self._request, self._journal = request, journal
         blocks = request.blocks
         self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NONE, np.int32)

@@ -9,14 +9,15 @@ import numpy as np
 
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
+from ....imagery.records import RecordFolder
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, UNITS, BlockKey, blocks_near, place_of, rectangles, units_along
-from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
+from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading
 from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
 from ..seamlines.seam_pieces import PieceIndex, around_pieces
 from ..workers import Workers, measuring
-from .block_runs import BlockLook, JournaledBlocks, ScanJournal, ScanStep, held
+from .block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import (
     MARGIN_PX,
@@ -27,10 +28,10 @@ from .lone_stretches import (
     lone_cells,
     lone_stretches,
 )
-from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
+from .loss_raster import NODATA, LossRaster, empty_cells
 from .piece_sums import blocks_of, by_blocks
 from .scan_request import ScanRequest
-from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
+from .scan_result import JudgedPiece, ScanResult
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
@@ -89,8 +90,7 @@ LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, LoneScan)
 class LoneScanning:
     """Measures blocks, then reads them one by one from the journal, so that memory grows with the seams only."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
-        self._reading = reading
+    def __init__(self, request: ScanRequest, journal: RecordFolder) -> None:
         self._request, self._mosaic, self._pieces = request, request.mosaic, request.pieces
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks
@@ -109,8 +109,8 @@ class LoneScanning:
 
         yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._keys, block)
 
-    def result(self, loss_path: str, workers: Workers) -> ScanResult:
-        """Pieces, worst windows and, where a path is given, the picture of losses. Raises CancelledError.
+    def result(self, raster: LossRaster | None, workers: Workers) -> tuple[ScanResult, list[str]]:
+        """Pieces and, where it is wanted, the picture of losses, in which no source is shown. Raises CancelledError.
 
         Levels beyond the first are not told.
         """
@@ -138,19 +138,13 @@ class LoneScanning:
                     messages.LONE_NETWORK(kept=100 * whole.kept, low=100 * whole.low, high=100 * whole.high),
                     messages.LONE_FROM_LENGTH(length=least * pixel_m) if least else messages.LONE_NEVER(),
                 )
-        if loss_path:
-            with loss_raster(loss_path, mosaic, settings.cell_px) as raster:
-                self._draw(raster, pieces, settings.cell_px)
-                raster.close([], settings.told)
-        pieces, stretches = (
-            [judged for judged in of_kind if self._request.counts(judged.piece)] for of_kind in (pieces, stretches)
+        if raster is not None:
+            self._draw(raster, pieces, settings.cell_px)
+        counted, counted_stretches = (
+            tuple(judged for judged in of_kind if self._request.counts(judged.piece)) for of_kind in (pieces, stretches)
         )
-        worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
-        of_reading, unread = self._reading.told
-        notices += (*unread, *without_verdict(pieces))
-        notes = {"orthoimages": "none", **of_reading}
-        workers.tell(1.0)
-        return ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), notes)
+        notes = {"orthoimages": "none"}
+        return ScanResult(counted, (), stretches=counted_stretches, notices=tuple(notices), told=notes), []
 
     def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:
         """What each piece kept, in the cells of its strip."""

@@ -122,7 +122,7 @@ def measure_pieces(
     grain = np.full(len(pieces), np.nan)
     for key in blocks_of(around, blocks):
         window = blocks.window(key)
-        scan = whole_block(files, key) if sums.are_near(window) else None
+        scan = whole_block(files, key) if np.isin(index.near(window, REACH_PX).numbers, numbers).any() else None
         if scan is not None:
             ground = _ground_of(files, key, scan)
             sums.add(scan.cells.within(place), scan.beside.within(place), ground, window, scan.grey)
@@ -198,10 +198,6 @@ class PieceSums:
         self._sums = SeamSums(len(numbers), levels)
         self._grey = np.zeros((2, len(numbers)))  # of the strip's cells: mean of the mosaic times area, and area
         self._brightest = 0.0
-
-    def are_near(self, window: PixelWindow) -> bool:
-        """Whether cells of a window may belong to any of them."""
-        return bool(np.isin(self._index.near(window, REACH_PX).numbers, self._numbers).any())
 
     def add(
         self, table: CellTable, mixture: MixtureTable, ground: Sequence[LevelGround | None], window: PixelWindow,

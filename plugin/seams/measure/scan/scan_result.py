@@ -212,7 +212,7 @@ class ScanResult:
     """All seams, piece by piece."""
     polygons: tuple[SourcePolygon, ...]
     """The source that each part came from, by its number in ``sources``."""
-    worst: tuple[PlacedWindow, ...]
+    worst: tuple[PlacedWindow, ...] = ()
     """The least kept places, the least first."""
     stretches: tuple[JudgedPiece, ...] = ()
     """What pieces keep together that are too short to be judged one by one, as without orthoimages."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from functools import partial
@@ -24,10 +24,11 @@ from ....imagery.grids import shared_extent
 from ....imagery.lines import points_along
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import rasters_kept
-from ....imagery.rasters import Raster, RasterRef
+from ....imagery.rasters import Raster
+from ....imagery.records import RecordFolder
 from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SYSTEM, PieceState
 from .. import messages
-from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, ScanSettings, place_of, squares_met
+from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, ScanSettings, labels_in, place_of, squares_met
 from ..blocks.block_pixels import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..inputs.mixed_images import mixed_images
@@ -40,7 +41,7 @@ from ..seamlines.seam_tracing import SourcePolygon, multipolygon, polygons_of, r
 from ..window.inspection import Block, PathLike
 from ..workers import Workers, measuring
 from . import piece_sums, scan_result
-from .block_runs import BlockRun, ScanInputs, ScanJournal, ScanStep, journal_beside
+from .block_runs import BlockRun, ScanInputs, ScanStep, journal_beside
 from .followed_ground import LEAST_BESIDE, LEAST_UNEXPLAINED, FollowedGround, common_shift
 from .lone_scan import LoneScanning
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
@@ -56,79 +57,65 @@ _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 """Shares of the time at the ends of what there is to do."""
 
 
-def _listed(rasters: Iterable[RasterRef]) -> str:
-    """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
-    return json.dumps([path for raster in rasters for path in raster.paths], ensure_ascii=False)
-
-
 class Gathering:
     """Puts together what a journal holds."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
+    def __init__(self, request: ScanRequest, journal: RecordFolder, reading: MosaicReading) -> None:
         self._request, self._files, self._reading = request, journal.files, reading
         self._blocks = request.blocks
         self._shown: dict[int, int] = {}  # numbers of the sources in the picture of losses
         number = np.min_scalar_type(-len(request.sources) - 1)
         self._units = np.full((self._blocks.rows * UNITS, self._blocks.columns * UNITS), NOT_LOOKED, number)
 
-    def result(self, loss_path: str, workers: Workers) -> ScanResult:
-        """All of it; the picture of losses is written to ``loss_path``, if that is not empty.
+    def result(self, raster: LossRaster | None, workers: Workers) -> tuple[ScanResult, list[str]]:
+        """All of it, without windows; the picture of losses on the way, and the names of the sources in it.
 
         Raises SettingsError when the journal can't be read, RasterError when the picture can't be written,
         CancelledError.
         """
         request, settings = self._request, self._request.settings
-        picture = loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
-        with picture as raster:
-            known = given_polygons(request)
-            borders = self._borders(raster, workers.part(0, _TRACED), not (request.given and known))
-            polygons = known or tuple(polygons_of(borders))
-            pieces = list(request.pieces) if request.given else cut_in_pieces(
-                seams_of(borders), settings.piece_m, request.mosaic.grid
-            )
-            too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
-            pieces = [] if too_many else pieces
-            for unread in self._reading.unread:
-                self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
-            if request.counted is not None:  # what lies beside it is counted where it belongs
-                elsewhere = np.ones(self._units.shape, bool)
-                elsewhere[squares_met(request.counted, UNIT_PX)] = False
-                self._units[elsewhere] = EMPTY
-            workers.tell(_CUT)
-            judged, notes, notices = self._judged(pieces, workers.part(_CUT, _MEASURED))
-            ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], settings.piece_m)
-            judged = tuple(part for part in judged if request.counts(part.piece))
-            of_reading, lost = self._reading.told
-            notes.update(of_reading)
-            if names := request.not_given:
-                notes["not_given"] = ", ".join(names)
-            if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
-                notes["may_be_copies"] = ", ".join(doubtful)
-            sources = {name: source.ref for name, source in zip(request.source_names, request.sources)}
-            alike = messages.SAME_ALONG_THE_SEAM.template
-            detailed = [
-                part for part in judged if part.state in (PieceState.PASSED, PieceState.FAILED)
-                or (part.reason is not None and part.reason.template == alike)
-            ]
-            mixed, of_mixed = mixed_images(
-                request.mosaic, sources, [(part.left or "", part.right or "", part.piece) for part in detailed]
-            )
-            notes.update({**ground.told, **of_mixed})
-            shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
-            if shift is not None:
-                notes["mosaic_shift"] = "{:.2f} {:.2f}".format(*shift)
-            if raster is not None:
-                files = _listed(source.ref for source in request.sources)
-                how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": files}
-                raster.close([request.source_names[number] for number in self._shown], how)
-            worst = scan_result.worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
-            notices = [*lost, *too_many, *_notices(ground, shift), *mixed, *notices]
-            notices += scan_result.without_verdict(judged)
-            if polygons and not (pieces or request.given or too_many):
-                followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
-                notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
-            workers.tell(1.0)
-        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), notes, tuple(request.source_names))
+        known = given_polygons(request)
+        borders = self._borders(raster, workers.part(0, _TRACED), not (request.given and known))
+        polygons = known or tuple(polygons_of(borders))
+        pieces = list(request.pieces) if request.given else cut_in_pieces(
+            seams_of(borders), settings.piece_m, request.mosaic.grid
+        )
+        too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
+        pieces = [] if too_many else pieces
+        for unread in self._reading.unread:
+            self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
+        if request.counted is not None:  # what lies beside it is counted where it belongs
+            elsewhere = np.ones(self._units.shape, bool)
+            elsewhere[squares_met(request.counted, UNIT_PX)] = False
+            self._units[elsewhere] = EMPTY
+        workers.tell(_CUT)
+        judged, notes, notices = self._judged(pieces, workers.part(_CUT, _MEASURED))
+        ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], settings.piece_m)
+        judged = tuple(part for part in judged if request.counts(part.piece))
+        if names := request.not_given:
+            notes["not_given"] = ", ".join(names)
+        if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
+            notes["may_be_copies"] = ", ".join(doubtful)
+        sources = {name: source.ref for name, source in zip(request.source_names, request.sources)}
+        alike = messages.SAME_ALONG_THE_SEAM.template
+        detailed = [
+            part for part in judged if part.state in (PieceState.PASSED, PieceState.FAILED)
+            or (part.reason is not None and part.reason.template == alike)
+        ]
+        mixed, of_mixed = mixed_images(
+            request.mosaic, sources, [(part.left or "", part.right or "", part.piece) for part in detailed]
+        )
+        notes.update({**ground.told, **of_mixed})
+        shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
+        if shift is not None:
+            notes["mosaic_shift"] = "{:.2f} {:.2f}".format(*shift)
+        notices = [*too_many, *_notices(ground, shift), *mixed, *notices]
+        if polygons and not (pieces or request.given or too_many):
+            followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
+            notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
+        names = request.source_names
+        made = ScanResult(judged, polygons, notices=tuple(notices), told=notes, sources=tuple(names))
+        return made, [names[number] for number in self._shown]
 
     def _judged(
         self, pieces: Sequence[SeamPiece], workers: Workers
@@ -181,7 +168,8 @@ class Gathering:
 
     def _borders(self, raster: LossRaster | None, workers: Workers, traces: bool) -> list[SidedSeam]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
-        edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
+        edges, grid = [np.zeros((4, 0), np.int64)], self._blocks.grid
+        size = labels_in(grid.columns), labels_in(grid.rows)
         cell_px = self._request.settings.cell_px if raster is not None else 0
         work = partial(piece_sums.block_outputs, self._files, size, cell_px, traces)
         for block in workers.map(work, self._blocks, self._blocks.rows * self._blocks.columns):
@@ -194,7 +182,7 @@ class Gathering:
                 for source, number in shown.items():
                     cells[band][block.cells[band] == source + 1] = number
                 raster.write(*block.key, cells)
-        return trace_borders(np.concatenate(edges, axis=1), self._blocks.grid, size[0], LABEL_PX)
+        return trace_borders(np.concatenate(edges, axis=1), grid, size[0], LABEL_PX)
 
     def _measured(self, pieces: Sequence[SeamPiece], workers: Workers) -> tuple[list[PieceFigures], float]:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
@@ -268,7 +256,7 @@ class WholeScan:
     """One scan, which may have begun in an earlier run."""
 
     def __init__(
-        self, request: ScanRequest, journal: ScanJournal, notice: Message | None, inputs: ScanInputs
+        self, request: ScanRequest, journal: RecordFolder, notice: Message | None, inputs: ScanInputs
     ) -> None:
         """``inputs``: as they are before they are read."""
         self.request, self._journal, self._inputs = request, journal, inputs
@@ -279,7 +267,7 @@ class WholeScan:
             self._steps = BlockRun(request, journal).steps
             self._result = Gathering(request, journal, self._reading).result
         else:
-            alone = LoneScanning(request, journal, self._reading)
+            alone = LoneScanning(request, journal)
             self._steps, self._result = alone.steps, alone.result
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
@@ -301,17 +289,30 @@ class WholeScan:
         workers = workers or Workers()
         if not self._journal.is_shared:
             workers = replace(workers, executor=None, ahead=0)
+        request, (of_reading, unread) = self.request, self._reading.told
+        mosaic, settings = request.mosaic, request.settings
         try:
-            with rasters_kept(), measuring(), workers.at_work() as crew:
-                result = self._result(loss_path, crew)
+            picture = loss_raster(loss_path, mosaic, settings.cell_px) if loss_path else nullcontext()
+            with rasters_kept(), measuring(), workers.at_work() as crew, picture as raster:
+                result, shown = self._result(raster, crew)
+                notes = {**settings.told, **of_reading, **result.told}
+                if raster is not None:
+                    # So that somebody else finds what it was made of, wherever the program was started.
+                    sources = [path for source in request.sources for path in source.ref.paths]
+                    paths = {"mosaic": mosaic.ref.paths, "sources": sources}
+                    files = {name: json.dumps(held, ensure_ascii=False) for name, held in paths.items()}
+                    raster.close(shown, {**notes, **files})
+                worst = scan_result.worst_windows(result.pieces, mosaic, settings.worst_count, settings.levels)
+                crew.tell(1.0)
         except CancelledError:  # which leaves no picture
             return None
-        dates, notes = self.request.dates, {**self.request.settings.told, SYSTEM: self.request.mosaic.wkt}
-        return replace(
-            result, told={**notes, **self._inputs.told, **result.told, METRES: repr(result.seam_metres)},
-            pieces=tuple(scan_result.dated(piece, dates) for piece in result.pieces),
-            stretches=tuple(scan_result.dated(stretch, dates) for stretch in result.stretches),
+        notes = {SYSTEM: mosaic.wkt, **self._inputs.told, **notes, METRES: repr(result.seam_metres)}
+        pieces, stretches = (
+            tuple(scan_result.dated(piece, request.dates) for piece in every)
+            for every in (result.pieces, result.stretches)
         )
+        notices = (*unread, *result.notices, *scan_result.without_verdict(pieces))
+        return replace(result, pieces=pieces, stretches=stretches, worst=tuple(worst), told=notes, notices=notices)
 
     def measured(self, loss_path: str, workers: Workers) -> tuple[ScanResult | None, list[Message]]:
         """``result`` after all ``steps``, and what could not be read in them."""

@@ -54,11 +54,8 @@ def given_seams(
     networks = [_of_polygons([ring for ring, _ in pieces.rings], owners, grid)] if owners else []
     networks += [_of_lines([line for line, _ in pieces.lines], sides, grid)] if sides else []
     named = any(map(owner_name, chain(owners, *sides)))
-
-    def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
-        return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
-
-    seams = sorted(chain.from_iterable(_seams(network, grid) for network in networks), key=longest_first)
+    seams = list(chain.from_iterable(_seams(network, grid) for network in networks))
+    seams.sort(key=lambda seam: (-round(seam.length / grid.pixel_width, 3), *seam.vertices[0].tolist()))
     if not seams and not sides and len({*owners}) == 1:
         raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
     if not seams:

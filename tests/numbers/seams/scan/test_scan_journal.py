@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.imagery.errors import INFO, Message, SettingsError
-from seam_inspector.plugin.imagery.records import RecordFiles
+from seam_inspector.plugin.imagery.records import RecordFiles, RecordFolder
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, ScanJournal, held, open_journal, save
+from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, held, open_journal, save
 
 from tests.numbers.disks import full_disk
 
@@ -25,7 +25,7 @@ def path(tmp_path: Path) -> Path:
     return tmp_path / "loss.tif.scan"
 
 
-def contents(journal: ScanJournal) -> dict[str, bytes]:
+def contents(journal: RecordFolder) -> dict[str, bytes]:
     return {name: journal.files.load(name) or b"" for name in journal.files.names}
 
 
