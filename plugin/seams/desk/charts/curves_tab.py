@@ -176,8 +176,7 @@ class ProfilePanel(_SavedChart):
         if live is not None:
             if live.profile is not None:
                 min_kept = self._session.inputs.min_kept
-                pixel_m, window_m = live.clips.ground_sample_distance, live.clips.longer_side_m
-                self.show_profile(ShownProfile(live.profile, pixel_m, min_kept, window_m=window_m))
+                self.show_profile(ShownProfile(live.profile, live.clips.ground_sample_distance, min_kept))
             self._offer(None)
             return
         selected = self._session.selected()
@@ -185,8 +184,7 @@ class ProfilePanel(_SavedChart):
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
             pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
-            window_m, ground_left = result.longer_side_m, result.ground_left
-            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left, window_m=window_m))
+            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=result.ground_left))
         else:
             result = None
             several = tr("Select one window to see its seam profile.")

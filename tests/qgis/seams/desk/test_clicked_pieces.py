@@ -83,10 +83,10 @@ def shown(desk: Desk, qgis_canvas: QgsMapCanvas, tmp_path: Path) -> Iterator[Map
 
 
 @pytest.mark.parametrize(("column", "said"), [
-    (256, "69 % of detail lost in 2.0 m"), (470, "43 % of detail lost in at least 1.0 m"),
+    (256, "69 % of detail lost in 1.6 m"), (470, "43 % of detail lost in 1.6 m"),
 ])  # fmt: skip
 def test_a_click_on_a_piece_says_what_was_found_and_offers_a_window(shown: Map, column: int, said: str) -> None:
-    """Beside ground without pixels a window that holds none of it. Where the profile does not end, at least so wide."""
+    """Beside ground without pixels a window that holds none of it."""
     session = shown.desk.session
     shown.click(column, 128)
     assert said in shown.bar.sentence()
