@@ -20,7 +20,7 @@ from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour,
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
-from ..window_summary import judged_words, painted_width_m, two_digits, window_sentence, window_why
+from ..window_summary import judged_words, loss_place, painted_width_m, two_digits, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -123,7 +123,9 @@ class WindowSections:
             judged = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
             names = [pair.source for pair in sorted(judged, key=lambda pair: -(pair.ratio or 0))]
         loss = None if result is None else result.loss
-        return ClipJob(record.extent, tuple(names), loss, painted_width_m(record, result))
+        return ClipJob(
+            record.extent, tuple(names), loss, painted_width_m(record, result), loss_place(record).is_decisive
+        )
 
     def _section(self, record: WindowRecord, clips: WindowParts) -> dict[str, object]:
         request, window = self._request, record.window_id

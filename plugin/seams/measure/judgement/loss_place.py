@@ -41,7 +41,7 @@ class LossPlace:
 
     @property
     def is_decisive(self) -> bool:
-        """Whether the seam took the more, or made the verdict."""
+        """Whether the seam took the more, or made the verdict, so that its loss is the one told."""
         is_alone = self.verdict == "significant" or not self.is_whole_soft
         return self.is_along and (is_alone or (self.kept or 0.0) <= self.kept_in_whole)
 
