@@ -386,7 +386,7 @@
     <message>
         <location filename="../plugin/seams/words.py" line="36"/>
         <source>significant</source>
-        <translation>istotna strata</translation>
+        <translation>istotna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="37"/>

@@ -6,11 +6,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from ..imagery.limits import MAX_SIGNIFICANT_RATIO
-from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, shown_metres, shown_number, tr
+from ..toolkit.translation import (
+    decimals_beside,
+    filled,
+    grouped_number,
+    percent,
+    sentence,
+    shown_metres,
+    shown_number,
+    tr,
+)
 from .measure.judgement.causes import Cause, causes_taken, seam_width, width_px
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
@@ -140,20 +149,20 @@ def window_sentence(
     """
     if not row.verdict:
         return verdict_sentence("")
-    why = explanation_of(row, result)
+    row, why = in_users_language(row, result), explanation_of(row, result)
     if row.verdict == _NOT_COMPARABLE:
-        sentence = row.reason or verdict_sentence(row.verdict)
+        said = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
         widths = _widths(row, result, pixel_m, profile)
-        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, widths)])
+        said = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, widths)])
     else:
-        sentence = _by_ratio(row, why)
-    return filled(tr("{finding} Changed since: inspect it again."), finding=sentence) if row.stale else sentence
+        said = _by_ratio(row, why)
+    return filled(tr("{finding} Changed since: inspect it again."), finding=said) if row.stale else said
 
 
 def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> list[str]:
     """What the sentence of a window rests on, and all else that was found, a paragraph each."""
-    explanation = explanation_of(row, result)
+    row, explanation = in_users_language(row, result), explanation_of(row, result)
     said = []
     if row.reference == SEAM and row.verdict:
         done = _done(row, explanation, _widths(row, result, pixel_m))
@@ -205,6 +214,12 @@ def _widths(
     row: WindowRecord, result: WindowResult | None, pixel_m: float | None, profile: SeamProfile | None = None
 ) -> SeamWidths:
     return SeamWidths(row, result, pixel_m if result is None else result.ground_sample_distance, profile)
+
+
+def in_users_language(row: WindowRecord, result: WindowResult | None) -> WindowRecord:
+    """What a row holds, its reason worded anew where the result tells it: the file has it as it was inspected."""
+    reason = result.judgement.reason if result is not None and result.judgement.verdict.value == row.verdict else None
+    return replace(row, reason=sentence(reason)) if row.reason and reason is not None else row
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:

@@ -56,4 +56,4 @@ def test_where_nothing_is_lost_the_seam_is_looked_at_from_its_middle_on() -> Non
     assert worst_places(picture(softened, seam)) == spots  # all over, a little more here and there
     lossy = even()
     lossy[8:24, 8:24] = 0.3
-    assert worst_places(picture(lossy, seam), True, is_hidden=True) == spots  # who judges blind is not told where it was lost
+    assert worst_places(picture(lossy, seam), True, is_hidden=True) == spots  # who judges blind is not told where
