@@ -6,24 +6,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..imagery.limits import MAX_SIGNIFICANT_RATIO
-from ..toolkit.translation import (
-    decimals_beside,
-    filled,
-    grouped_number,
-    percent,
-    sentence,
-    shown_metres,
-    shown_number,
-    tr,
-)
-from .measure.judgement.causes import Cause, causes_taken, seam_width, width_px
+from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, sentence, shown_number, tr
+from .measure.judgement.causes import MIXTURES, Cause, causes_taken
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
-from .measure.profile.seam_profile import Measure, SeamProfile
+from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
     CAUSES,
@@ -68,11 +59,6 @@ def shown_area(area_m2: float) -> str:
     return filled(tr("{area} m²"), area=grouped_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
 
 
-def shown_side(side_m: float) -> str:
-    """The side of a window, in the centimetres that it spans at least, by which it is set."""
-    return shown_metres(math.floor(100 * side_m + 1e-6) / 100)
-
-
 def _kept_words(row: WindowRecord) -> list[str]:
     if judged_kept(row) is None:
         return []
@@ -94,16 +80,10 @@ _LEAST_TAKEN = 0.005  # of the window's finest detail
 
 def _brief(causes: Sequence[str], row: WindowRecord, widths: SeamWidths) -> str:
     """What took detail there, in a few words, the first with how wide it did along a seam."""
-    width = widths.of(causes[0]) if causes else ""
-    main, others = causes[:1], causes[1:]
-    said = [*(_over(_brief_of(cause, row), width) for cause in main), *(_brief_of(cause, row) for cause in others)]
-    return ", ".join(filter(None, said))
-
-
-def _brief_of(cause: str, row: WindowRecord) -> str:
-    if cause == Cause.MISREGISTRATION and (px := _misfit_px(row)) is not None:
-        return filled(tr("images {value} px apart"), value=shown_number(px, 1))
-    return tr(brief) if cause in CAUSES and (brief := CAUSES[cause].brief) else ""
+    said = [tr(brief) for cause in causes if cause in CAUSES and (brief := CAUSES[cause].brief)]
+    if Cause.MISREGISTRATION in causes and (px := _misfit_px(row)) is not None:
+        said[causes.index(Cause.MISREGISTRATION)] = filled(tr("images {value} px apart"), value=shown_number(px, 1))
+    return ", ".join([*(_over(first, widths.of(causes[0])) for first in said[:1]), *said[1:]])
 
 
 def _over(words: str, width: str) -> str:
@@ -138,14 +118,11 @@ _NOT_COMPARABLE = "not_comparable"
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
-def window_sentence(
-    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None,
-    profile: SeamProfile | None = None,
-) -> str:
+def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> str:
     """Verdict; where and how much; by what; what to do. With its result the numbers of the cause are told too.
 
     A result that is not the one in the row, as after an undo, is left aside. ``pixel_m``: the mosaic's pixel size,
-    and ``profile``, where there is no result to say them.
+    where there is no result to say it.
     """
     if not row.verdict:
         return verdict_sentence("")
@@ -153,7 +130,7 @@ def window_sentence(
     if row.verdict == _NOT_COMPARABLE:
         said = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
-        widths = _widths(row, result, pixel_m, profile)
+        widths = SeamWidths(row, result, pixel_m)
         said = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, widths)])
     else:
         said = _by_ratio(row, why)
@@ -165,7 +142,7 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     row, explanation = in_users_language(row, result), explanation_of(row, result)
     said = []
     if row.reference == SEAM and row.verdict:
-        done = _done(row, explanation, _widths(row, result, pixel_m))
+        done = _done(row, explanation, SeamWidths(row, result, pixel_m))
         said = [*_interval(row), _as_sentence(done)]
         profile = None if explanation is None else explanation.profile
         if profile is not None and profile.measure is Measure.MIXTURE:
@@ -183,37 +160,30 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     return list(filter(None, said))
 
 
-@dataclass(frozen=True)
-class SeamWidths:
+class SeamWidths(NamedTuple):
     """How wide the loss along the seams of a window is told, metres in words, empty where that is not known."""
 
     row: WindowRecord
     result: WindowResult | None
-    pixel_m: float | None
-    """The mosaic's pixel size."""
-    profile: SeamProfile | None = None
+    pixel_m: float | None  # the mosaic's pixel size, where there is no result to say it
 
     @property
     def strip(self) -> str:
         """The strip whose share is told, by its width where that is known."""
-        width = strip_words(self.pixel_m)
+        width = strip_words(self.pixel_m if self.result is None else self.result.ground_sample_distance)
         return filled(tr("in {width} m along the seam"), width=width) if width else tr("beside the seam")
 
     def of(self, cause: str) -> str:
-        """Across the seam that a cause took detail of; empty for one that has no width."""
-        metres = seam_width(cause, self.row.band_width, self.row.feather_width)
-        if self.result is None:
-            return seam_width_words(metres, self.pixel_m, profile=self.profile)
-        explanation, pixel_m = explanation_of(self.row, self.result), self.result.ground_sample_distance
-        if explanation is not None and explanation.evidence.seams:
-            metres = width_px(explanation.evidence, cause) * pixel_m
-        return seam_width_words(metres, pixel_m, self.result.longer_side_m, self.result.profile)
-
-
-def _widths(
-    row: WindowRecord, result: WindowResult | None, pixel_m: float | None, profile: SeamProfile | None = None
-) -> SeamWidths:
-    return SeamWidths(row, result, pixel_m if result is None else result.ground_sample_distance, profile)
+        """Across the seam that a cause took detail of: a mixture's from end to end, else the band's, if nothing mixed
+        has a part in that; empty for one that has no width."""
+        row, result = self.row, self.result
+        is_mixed = not set(MIXTURES).isdisjoint(_causes_of(row))
+        if cause not in (*MIXTURES, Cause.SOFTENED) or (is_mixed and cause == Cause.SOFTENED):
+            return ""
+        metres = (is_mixed and row.feather_width) or row.band_width
+        if result is None:
+            return seam_width_words(metres, self.pixel_m)
+        return seam_width_words(metres, result.ground_sample_distance, result.longer_side_m, result.profile)
 
 
 def in_users_language(row: WindowRecord, result: WindowResult | None) -> WindowRecord:

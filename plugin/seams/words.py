@@ -7,7 +7,7 @@ colours for the windows' pictures, the map and the scan, so that all compare.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, isfinite, log
+from math import floor, inf, isfinite, log
 from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -87,6 +87,11 @@ def seam_width_words(
     is_endless = is_endless or metres > window_m + _LEAST_WIDTH_M or max(beyond, default=1.0) < BAND_KEPT
     width = shown_number(min(metres, window_m), 1)
     return filled(tr("at least {width}"), width=width) if is_endless else width
+
+
+def shown_side(side_m: float) -> str:
+    """The side of a window, in the centimetres that it spans at least, by which it is set."""
+    return shown_metres(floor(100 * side_m + 1e-6) / 100)
 
 
 def observer_word(observer: str) -> str:

@@ -181,7 +181,7 @@ class WindowSections:
 def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
     """The levels, and a row for each ratio that is known: against what, by level, that of the background."""
     rows = [
-        (_kept_heading(record), record.kept, None, MAX_SIGNIFICANT_KEPT),
+        (tr("kept along the seam"), record.kept, None, MAX_SIGNIFICANT_KEPT),
         (tr("against the sources"), record.ratios, record.background_ratio, MAX_SIGNIFICANT_RATIO),
         (tr("against the hard-cut composite"), record.composite_ratios, None, MAX_SIGNIFICANT_RATIO),
         (tr("expected of a 50:50 feather"), record.expected_ratios, None, MAX_SIGNIFICANT_RATIO),
@@ -192,13 +192,6 @@ def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
         [name, *(two_digits(value, limit) for value in values), *[""] * (levels - len(values)), two_digits(background)]
         for name, values, background, limit in known
     ]
-
-
-def _kept_heading(record: WindowRecord) -> str:
-    if record.kept_low is None or record.kept_high is None:
-        return tr("kept along the seam")
-    low, high = (two_digits(kept, MAX_SIGNIFICANT_KEPT) for kept in (record.kept_low, record.kept_high))
-    return filled(tr("kept along the seam (level 1: {low} to {high})"), low=low, high=high)
 
 
 def _place_words(clips: WindowParts) -> str:

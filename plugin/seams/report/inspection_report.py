@@ -18,7 +18,6 @@ from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster
 from ...toolkit.translation import percent, shown_number, tr
 from ..measure import limits, messages
 from ..measure.window_records import SEAM, WindowRecord
-from ..window_summary import in_users_language
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, WindowSections, window_rows
 from .report_request import ReportRequest
@@ -68,10 +67,7 @@ def write_report(
             levels=levels,
             ratio_levels=max((len(record.ratios) for record in request.records), default=0),
             windows=(
-                window_rows(
-                    in_users_language(row, request.results.get(row.window_id)), request.curves.get(row.window_id, ()),
-                    levels, linked,
-                ) for row in request.records
+                window_rows(row, request.curves.get(row.window_id, ()), levels, linked) for row in request.records
             ),
             sections=shown(),
             magnification=limits.JUDGED_MAGNIFICATION,

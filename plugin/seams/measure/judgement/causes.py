@@ -292,7 +292,9 @@ class Cause(str, Enum):
     UNCLEAR = "unclear"
 
 
-ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.SOFTENED, Cause.MISREGISTRATION)
+MIXTURES = (Cause.FEATHERING, Cause.OTHER_MIXTURE)
+"""Causes that mix images."""
+ALONG_THE_SEAM = (*MIXTURES, Cause.SOFTENED, Cause.MISREGISTRATION)
 """Causes that take detail beside a seam alone."""
 ALL_OVER = (Cause.BLUR, Cause.RESAMPLED, Cause.COMPRESSED, Cause.CLIPPING, Cause.DODGING)
 """Causes that take detail in the whole window."""
@@ -315,19 +317,6 @@ def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
 def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
     """All causes that took part, that which took most first; ``none`` alone where nothing did."""
     return tuple(cause for cause, _ in causes_taken(evidence)) or (Cause.NONE,)
-
-
-def width_px(evidence: CauseEvidence, cause: str) -> float:
-    """How far across its seam a cause took detail: a mixture from end to end of it, another one in its band."""
-    profiles = [seam.profile for seam in evidence.by_seam if seam.profile and cause in _along_the_seam(seam)]
-    return max((seam_width(cause, at.band_width_px, at.feather_width_px) for at in profiles), default=0.0)
-
-
-def seam_width(cause: str, band: float | None, feather: float | None) -> float:
-    """The width that is a cause's of those of a seam, of which its band and its feather are known; 0 for none."""
-    if cause in (Cause.FEATHERING, Cause.OTHER_MIXTURE):
-        return feather or band or 0.0
-    return band or 0.0 if cause == Cause.SOFTENED else 0.0
 
 
 def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:

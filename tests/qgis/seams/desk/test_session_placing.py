@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsGeometry
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.window_summary import shown_side
+from seam_inspector.plugin.seams.words import shown_side
 from seam_inspector.plugin.toolkit.layers import layer_path, system_wkt
 
 from tests.numbers.synthetic import write_raster
