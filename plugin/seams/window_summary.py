@@ -236,7 +236,8 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, widths: Sea
     causes = place.decisive(_causes_of(row))
     said, in_all = _lost_in_whole(row, place), []
     if place.is_decisive:
-        said = _lost_along(1 - (row.kept_1 or 0.0), widths.strip)
+        lost = percent(1 - (row.kept_1 or 0.0), 1 - MAX_SIGNIFICANT_KEPT)
+        said = filled(tr("{lost} % of detail lost {strip}"), lost=lost, strip=widths.strip)
         if row.loss is not None and _is_whole_soft(row, explanation):
             in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
     named = [cause for cause in place.at_seam(causes) if cause != Cause.UNCLEAR]
@@ -250,10 +251,6 @@ def _causes_of(row: WindowRecord) -> list[str]:
 
 def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
     return loss_place(row).is_whole_soft if explanation is None else explanation.ground_left < 1
-
-
-def _lost_along(lost: float, strip: str) -> str:
-    return filled(tr("{lost} % of detail lost {strip}"), lost=percent(lost, 1 - MAX_SIGNIFICANT_KEPT), strip=strip)
 
 
 def _lost_in_whole(row: WindowRecord, place: LossPlace) -> str:
@@ -290,8 +287,7 @@ def _has_no_kept(row: WindowRecord) -> bool:
 def _what_is_left(row: WindowRecord, clause: str, strip: str) -> str:
     """The sentence where no loss is sure."""
     if _has_no_kept(row):
-        reason = row.reason or tr("No change from one source to another is found in the window.")
-        return f"{reason} {_as_sentence(clause)}".rstrip()
+        return f"{row.reason} {_as_sentence(clause)}".strip()
     text = tr("As much of the finest detail is left {strip} as around it")
     if (row.kept_1 or 0.0) < _ALL_KEPT:
         text = tr("No loss is certain {strip}")

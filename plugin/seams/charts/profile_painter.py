@@ -14,6 +14,7 @@ from ...toolkit.translation import filled, percent, shown_number, tr
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import ProfileRecord, WindowRecord
+from ..words import strip_words
 
 FARTHEST_PX = 400.0
 """The end that the last bin, which has none, is drawn with."""
@@ -119,8 +120,6 @@ def bin_words(shown: ShownProfile, bin_: ProfileBin) -> str:
 
 def summary_words(shown: ShownProfile) -> str:
     """What is kept beside the seam."""
-    from ..words import strip_words  # needs numpy, which a chart does without
-
     profile = shown.profile
     if profile.kept[0] is None:
         return ""

@@ -160,9 +160,8 @@ class WindowSections:
         if result is None or result.profile is None:
             return shown_profile(record, request.profiles.get(record.window_id, ()), self._pixel_m, request.min_kept)
         levels = frozenset(bin_.level for bin_ in result.profile.bins)
-        return ShownProfile(
-            result.profile, result.ground_sample_distance, request.min_kept, levels, result.ground_left
-        )
+        pixel_m = result.ground_sample_distance
+        return ShownProfile(result.profile, pixel_m, request.min_kept, levels, result.ground_left)
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
