@@ -3376,27 +3376,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="174"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="185"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="186"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="185"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="187"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="186"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="206"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="205"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3759,12 +3759,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="229"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="228"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="228"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="227"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -3963,12 +3963,12 @@
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="183"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="231"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="230"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -4558,7 +4558,7 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="173"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
@@ -4668,7 +4668,7 @@
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="233"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -4678,7 +4678,7 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="243"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -7192,7 +7192,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -7567,12 +7567,12 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="262"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="261"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="264"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="263"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -7582,7 +7582,7 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="338"/>
+        <location filename="../plugin/seams/window_summary.py" line="334"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7606,12 +7606,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="333"/>
+        <location filename="../plugin/seams/window_summary.py" line="329"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="328"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8061,27 +8061,22 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="308"/>
+        <location filename="../plugin/seams/window_summary.py" line="304"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="311"/>
+        <location filename="../plugin/seams/window_summary.py" line="307"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="293"/>
-        <source>No change from one source to another is found in the window.</source>
-        <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="314"/>
+        <location filename="../plugin/seams/window_summary.py" line="310"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="337"/>
+        <location filename="../plugin/seams/window_summary.py" line="333"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -9058,7 +9053,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="149"/>
-        <source>mixed, but not by weights</source>
+        <source>mixed by another rule</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
@@ -9067,12 +9062,12 @@
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="278"/>
+        <location filename="../plugin/seams/window_summary.py" line="275"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="282"/>
+        <location filename="../plugin/seams/window_summary.py" line="279"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -9137,22 +9132,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="270"/>
+        <location filename="../plugin/seams/window_summary.py" line="267"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="241"/>
+        <location filename="../plugin/seams/window_summary.py" line="242"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="261"/>
+        <location filename="../plugin/seams/window_summary.py" line="258"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="267"/>
+        <location filename="../plugin/seams/window_summary.py" line="264"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9706,7 +9701,7 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="127"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="126"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
@@ -10277,17 +10272,17 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; weź większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="106"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="107"/>
         <source>beyond {near} m: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="107"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="112"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="113"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
@@ -10427,7 +10422,7 @@
         <translation>zachowane w kolejnych odcinkach, ze wschodu na zachód: {pieces}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="111"/>
         <source>{near} to {far} m: {kept} % kept</source>
         <translation>{near} do {far} m: zachowano {kept} %</translation>
     </message>
@@ -10737,7 +10732,7 @@
         <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; już były: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="173"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
@@ -10882,7 +10877,7 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="345"/>
+        <location filename="../plugin/seams/window_summary.py" line="341"/>
         <source>Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.</source>
         <translation>Mimo to jego krzywa leży osobno: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
@@ -11120,7 +11115,7 @@
         <translation>typowa długość odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="129"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="128"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m; around it {left} %</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m; wokół {left} %</translation>
     </message>
@@ -11140,17 +11135,17 @@
         <translation>{finding} Nie zmierzono {lacking:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="295"/>
+        <location filename="../plugin/seams/window_summary.py" line="291"/>
         <source>As much of the finest detail is left {strip} as around it</source>
         <translation>Najdrobniejszych detali zostało {strip} tyle co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="256"/>
+        <location filename="../plugin/seams/window_summary.py" line="240"/>
         <source>{lost} % of detail lost {strip}</source>
         <translation>{lost} % detali utracono {strip}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="297"/>
+        <location filename="../plugin/seams/window_summary.py" line="293"/>
         <source>No loss is certain {strip}</source>
         <translation>Żadna strata {strip} nie jest pewna</translation>
     </message>

@@ -146,7 +146,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("other mixture"),
         QT_TR_NOOP("Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand."),
         QT_TR_NOOP("images are mixed by another rule than weights"),
-        brief=QT_TR_NOOP("mixed, but not by weights"),
+        brief=QT_TR_NOOP("mixed by another rule"),
         to_do=QT_TR_NOOP("Cut hard there."),
     ),
     Cause.SOFTENED.value: ShownCause(
