@@ -174,13 +174,11 @@ class SeamWidths(NamedTuple):
         return filled(tr("in {width} m along the seam"), width=width) if width else tr("beside the seam")
 
     def of(self, cause: str) -> str:
-        """Across the seam that a cause took detail of: a mixture's from end to end, else the band's, if nothing mixed
-        has a part in that; empty for one that has no width."""
-        row, result = self.row, self.result
-        is_mixed = not set(MIXTURES).isdisjoint(_causes_of(row))
+        """Across a seam: the mixture's from end to end, or the band's where nothing mixed has a part in that."""
+        result, is_mixed = self.result, not set(MIXTURES).isdisjoint(_causes_of(self.row))
         if cause not in (*MIXTURES, Cause.SOFTENED) or (is_mixed and cause == Cause.SOFTENED):
             return ""
-        metres = (is_mixed and row.feather_width) or row.band_width
+        metres = (is_mixed and self.row.feather_width) or self.row.band_width
         if result is None:
             return seam_width_words(metres, self.pixel_m)
         return seam_width_words(metres, result.ground_sample_distance, result.longer_side_m, result.profile)
@@ -228,8 +226,7 @@ def painted_width_m(row: WindowRecord, result: WindowResult | None) -> float:
 
 def _by_the_seam(row: WindowRecord, explanation: Explanation | None, widths: SeamWidths) -> list[str]:
     """Sentences of how much was lost and by what, and what to do about it: two lines at most, so of seam and whole
-    window only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands
-    last, away from the seam's causes."""
+    window only what took the more, or made the verdict, is told with its cause; what both took stands last."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, explanation, widths, most=1), widths.strip)]
     place = loss_place(row)

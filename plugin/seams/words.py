@@ -73,11 +73,8 @@ def strip_words(pixel_m: float | None) -> str:
 def seam_width_words(
     metres: float | None, pixel_m: float | None = None, window_m: float = inf, profile: SeamProfile | None = None
 ) -> str:
-    """How wide a cause took detail along a seam, metres; empty for a cut.
-
-    ``pixel_m``: the mosaic's pixel size, by which a feather is known that does not end as far as one is looked for.
-    ``window_m``: the longer side of the window that is judged, beyond which ground was read and nothing is told.
-    ``profile``: by which a band is known that does not end as far as it was measured.
+    """How wide a cause took detail along a seam, metres; empty for a cut. "At least" where it does not end as far as it
+    is looked for, by the mosaic's pixel size or by the profile, or in the window, of which ``window_m`` is the side.
     """
     if metres is None or metres < _LEAST_WIDTH_M:
         return ""
