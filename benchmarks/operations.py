@@ -118,7 +118,7 @@ OTHER_MIXTURE = "other mixture"
 STRANGE_MAKINGS = (
     Making("darkest of two in 33 px", strange.darkest(33), OTHER_MIXTURE, possible=("feathering",)),
     Making("dissolve over 33 px", strange.dissolved(33), OTHER_MIXTURE, possible=("feathering",)),
-    Making("soft brush", strange.brushed, "blur", lost=True),
+    Making("soft brush", strange.brushed, "softened seam", lost=True),
 )
 STRANGE_AFTERMATHS = (
     Aftermath("JPEG 2000", after.jpeg2000(12), "compressed"),

@@ -386,7 +386,7 @@
     <message>
         <location filename="../plugin/seams/words.py" line="36"/>
         <source>significant</source>
-        <translation>istotna strata</translation>
+        <translation>istotna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="37"/>
@@ -409,12 +409,12 @@
         <translation>bez kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="92"/>
+        <location filename="../plugin/seams/words.py" line="96"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="92"/>
+        <location filename="../plugin/seams/words.py" line="96"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
@@ -429,7 +429,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="150"/>
+        <location filename="../plugin/seams/window_summary.py" line="137"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -594,7 +594,7 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -3143,72 +3143,72 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="121"/>
+        <location filename="../plugin/seams/words.py" line="125"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="132"/>
+        <location filename="../plugin/seams/words.py" line="136"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="157"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="153"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="162"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="184"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="191"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="259"/>
+        <location filename="../plugin/seams/words.py" line="271"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="126"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="147"/>
+        <location filename="../plugin/seams/words.py" line="158"/>
         <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="154"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="174"/>
         <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="253"/>
+        <location filename="../plugin/seams/words.py" line="265"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="260"/>
+        <location filename="../plugin/seams/words.py" line="272"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3367,7 +3367,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="142"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="144"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3376,27 +3376,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="174"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="182"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="183"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="185"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="186"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="210"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="205"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3694,82 +3694,77 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="201"/>
+        <location filename="../plugin/seams/window_summary.py" line="209"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="199"/>
+        <location filename="../plugin/seams/window_summary.py" line="207"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="124"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>the mosaic is blurred to {value} % of their sharpness</source>
         <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
-        <source>images {value} px apart are feathered</source>
-        <translation>wtopione są obrazy odsunięte o {value} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="160"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="156"/>
+        <location filename="../plugin/seams/words.py" line="167"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="176"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="176"/>
+        <location filename="../plugin/seams/words.py" line="187"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="123"/>
+        <location filename="../plugin/seams/words.py" line="127"/>
         <source>the mosaic is blurred</source>
         <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="134"/>
+        <location filename="../plugin/seams/words.py" line="138"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="159"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="166"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="186"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="233"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="228"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="232"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="227"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -3968,12 +3963,12 @@
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="196"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="183"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="235"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="230"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -4023,122 +4018,122 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="188"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="199"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="201"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="202"/>
+        <location filename="../plugin/seams/words.py" line="214"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="210"/>
+        <location filename="../plugin/seams/words.py" line="222"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="211"/>
+        <location filename="../plugin/seams/words.py" line="223"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="212"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="218"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="220"/>
+        <location filename="../plugin/seams/words.py" line="232"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="233"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="229"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="230"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="231"/>
+        <location filename="../plugin/seams/words.py" line="243"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="244"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="237"/>
+        <location filename="../plugin/seams/words.py" line="249"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="239"/>
+        <location filename="../plugin/seams/words.py" line="251"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="245"/>
+        <location filename="../plugin/seams/words.py" line="257"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="246"/>
+        <location filename="../plugin/seams/words.py" line="258"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="247"/>
+        <location filename="../plugin/seams/words.py" line="259"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="260"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="266"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4243,17 +4238,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="87"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="88"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="89"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="112"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="113"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4528,27 +4523,27 @@
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="306"/>
+        <location filename="../plugin/seams/words.py" line="319"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="307"/>
+        <location filename="../plugin/seams/words.py" line="320"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="308"/>
+        <location filename="../plugin/seams/words.py" line="321"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="309"/>
+        <location filename="../plugin/seams/words.py" line="322"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="310"/>
+        <location filename="../plugin/seams/words.py" line="323"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
@@ -4563,7 +4558,7 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
@@ -4588,37 +4583,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="197"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="196"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="229"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="225"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="224"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="229"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4643,7 +4638,7 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="256"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -4673,12 +4668,7 @@
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="132"/>
-        <source>{kept} % kept ({low} to {high} %)</source>
-        <translation>zach. {kept} % ({low}–{high} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="242"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="233"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -4688,7 +4678,7 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="252"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="243"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -4698,12 +4688,12 @@
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="192"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="190"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="221"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="218"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -4783,7 +4773,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="64"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="65"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -7149,7 +7139,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="197"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="196"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7202,7 +7192,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="206"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="201"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -7458,22 +7448,22 @@
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="190"/>
+        <location filename="../plugin/seams/words.py" line="202"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="192"/>
+        <location filename="../plugin/seams/words.py" line="204"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="193"/>
+        <location filename="../plugin/seams/words.py" line="205"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="171"/>
+        <location filename="../plugin/seams/window_summary.py" line="158"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -7522,67 +7512,67 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="127"/>
+        <location filename="../plugin/seams/words.py" line="131"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="144"/>
         <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="168"/>
+        <location filename="../plugin/seams/words.py" line="179"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="181"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="205"/>
+        <location filename="../plugin/seams/words.py" line="217"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="224"/>
+        <location filename="../plugin/seams/words.py" line="236"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="145"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="182"/>
+        <location filename="../plugin/seams/words.py" line="193"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="194"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="261"/>
+        <location filename="../plugin/seams/words.py" line="273"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="270"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="261"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="272"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="263"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -7592,12 +7582,7 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="111"/>
-        <source>the mosaic is softened along the seam</source>
-        <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="331"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7612,7 +7597,7 @@
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="137"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
@@ -7621,12 +7606,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="327"/>
+        <location filename="../plugin/seams/window_summary.py" line="326"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="326"/>
+        <location filename="../plugin/seams/window_summary.py" line="325"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8071,52 +8056,37 @@
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="290"/>
-        <source>Along the seam as much of the finest detail is left as around it</source>
-        <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="56"/>
+        <location filename="../plugin/seams/window_summary.py" line="59"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="292"/>
-        <source>Along the seam no loss is certain</source>
-        <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="302"/>
+        <location filename="../plugin/seams/window_summary.py" line="301"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="305"/>
+        <location filename="../plugin/seams/window_summary.py" line="304"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="288"/>
-        <source>No change from one source to another is found in the window.</source>
-        <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="308"/>
+        <location filename="../plugin/seams/window_summary.py" line="307"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="331"/>
+        <location filename="../plugin/seams/window_summary.py" line="330"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="42"/>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -8694,7 +8664,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="257"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="256"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -8779,7 +8749,7 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="174"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
@@ -9077,87 +9047,72 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="86"/>
+        <location filename="../plugin/seams/words.py" line="274"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="88"/>
-        <source>softened there</source>
-        <translation>zmiękczono tam obraz</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="90"/>
-        <source>mixed, but not by weights</source>
+        <location filename="../plugin/seams/words.py" line="146"/>
+        <source>mixed by another rule</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/words.py" line="139"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="249"/>
-        <source>{lost} % of detail lost beside the seam</source>
-        <translation>{lost} % detali utracono przy linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="248"/>
-        <source>{lost} % of detail lost in {width} m along the seam</source>
-        <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="273"/>
+        <location filename="../plugin/seams/window_summary.py" line="272"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="277"/>
+        <location filename="../plugin/seams/window_summary.py" line="276"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="132"/>
         <source>blurred</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="129"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>Leave out that filter.</source>
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="169"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="181"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="197"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="196"/>
+        <location filename="../plugin/seams/words.py" line="208"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="207"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -9177,22 +9132,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="265"/>
+        <location filename="../plugin/seams/window_summary.py" line="264"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="231"/>
+        <location filename="../plugin/seams/window_summary.py" line="239"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="256"/>
+        <location filename="../plugin/seams/window_summary.py" line="255"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="262"/>
+        <location filename="../plugin/seams/window_summary.py" line="261"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9232,22 +9187,22 @@
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="252"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="238"/>
+        <location filename="../plugin/seams/words.py" line="250"/>
         <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -9454,7 +9409,7 @@
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="255"/>
+        <location filename="../plugin/seams/words.py" line="267"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
@@ -9504,7 +9459,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="226"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="225"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -9537,11 +9492,6 @@
         <location filename="../plugin/seams/measure/window/window_tables.py" line="128"/>
         <source>code of the reason</source>
         <translation>kod powodu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="134"/>
-        <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
-        <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="100"/>
@@ -9751,7 +9701,7 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="136"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="126"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
@@ -9856,7 +9806,7 @@
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="87"/>
+        <location filename="../plugin/seams/words.py" line="86"/>
         <source>at least {width}</source>
         <translation>co najmniej {width}</translation>
     </message>
@@ -9969,7 +9919,7 @@
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="115"/>
+        <location filename="../plugin/seams/window_summary.py" line="90"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10019,7 +9969,7 @@
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="137"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>Feather less.</source>
         <translation>Wtapiaj węziej.</translation>
     </message>
@@ -10352,7 +10302,7 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="111"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="112"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -10492,7 +10442,7 @@
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="263"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="265"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
@@ -10581,12 +10531,12 @@
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy, lecz {east:+.2f} m na wschód i {north:+.2f} m na północ od nich wszystkich, więc {share:.0f} % jej terenu z teksturą nie odpowiada żadnemu. Zapytaj, które z nich mają błędną georeferencję.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="92"/>
+        <location filename="../plugin/seams/window_summary.py" line="85"/>
         <source>images {value} px apart</source>
         <translation>obrazy przesunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/words.py" line="196"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
     </message>
@@ -10762,7 +10712,7 @@
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="169"/>
         <source>By the scan, this piece of seam: {finding}</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
@@ -10777,17 +10727,12 @@
         <translation>Jak pewny jest obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="48"/>
-        <source>Windows placed along the seams: {count}; there already: {there}.</source>
-        <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; już były: {there}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="162"/>
+        <location filename="../plugin/seams/window_summary.py" line="149"/>
         <source>This follows from the mixture of the images; the ground around can&apos;t tell it.</source>
         <translation>Mówi to mieszanina obrazów; teren wokół tego nie powie.</translation>
     </message>
@@ -10892,11 +10837,6 @@
         <translation>To nie jest jedna linia prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="104"/>
-        <source>Window {number}; {count} more {count:source ends|sources end} in it</source>
-        <translation>Okno {number}; {count} {count:dalsze źródło kończy|dalsze źródła kończą|dalszych źródeł kończy} się w nim</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/map/window_tool.py" line="217"/>
         <source>{width} x {height} m, {columns} x {rows} px, nothing can be compared there</source>
         <translation>{width} × {height} m, {columns} × {rows} px, nie da się tam nic porównać</translation>
@@ -10927,42 +10867,37 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="198"/>
-        <source>kept along the seam (level 1: {low} to {high})</source>
-        <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low} do {high})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="339"/>
+        <location filename="../plugin/seams/window_summary.py" line="338"/>
         <source>Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.</source>
         <translation>Mimo to jego krzywa leży osobno: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="48"/>
         <source>composite: {value}</source>
         <translation>kompozycja: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="43"/>
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
         <source>sharpness 1: {value}</source>
         <translation>ostrość 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="68"/>
+        <location filename="../plugin/seams/window_summary.py" line="66"/>
         <source>kept 1: {value}</source>
         <translation>zachowane 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="70"/>
+        <location filename="../plugin/seams/window_summary.py" line="68"/>
         <source>kept 1: {value} ({low} to {high})</source>
         <translation>zachowane 1: {value} (od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="49"/>
         <source>ratio 1: {value}</source>
         <translation>stosunek 1: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="164"/>
+        <location filename="../plugin/seams/window_summary.py" line="151"/>
         <source>Other detail was added along the seam.</source>
         <translation>Wzdłuż linii dodano inne szczegóły.</translation>
     </message>
@@ -10977,12 +10912,12 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma procesów roboczych, które odpowiadają; uruchom je albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="172"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="171"/>
         <source>No window at the worst places is left to judge.</source>
         <translation>W najgorszych miejscach nie ma już okien do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="174"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
         <source>No window is left to judge.</source>
         <translation>Nie ma już okien do oceny.</translation>
     </message>
@@ -11012,19 +10947,9 @@
         <translation>Niezgodne: 0 z {metres:.0f} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="80"/>
-        <source>{failed:.0f} of {metres:.0f} m failed: below {percent} % kept.</source>
-        <translation>Niezgodne {failed:.0f} z {metres:.0f} m: zachowano poniżej {percent} %.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/tables/scan_layers.py" line="81"/>
         <source>None of {metres:.0f} m of seams could be measured.</source>
         <translation>Nie dało się zmierzyć żadnego z {metres:.0f} m linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/tables/scan_layers.py" line="82"/>
-        <source>{finding} {lacking:.0f} m could not be measured.</source>
-        <translation>{finding} Nie dało się zmierzyć {lacking:.0f} m.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
@@ -11178,6 +11103,91 @@
         <location filename="../plugin/acceptance/paper/inspection_record.py" line="86"/>
         <source>typical length of the pieces</source>
         <translation>typowa długość odcinków</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="128"/>
+        <source>{kept} % kept ({low} to {high} %) in {width} m; around it {left} %</source>
+        <translation>zachowano {kept} % ({low} do {high} %) na {width} m; wokół {left} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="261"/>
+        <source>A piece fails that keeps {percent} % or less.</source>
+        <translation>Niezgodny jest odcinek, na którym zachowano {percent} % lub mniej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="80"/>
+        <source>{failed:.0f} of {metres:.0f} m failed.</source>
+        <translation>Niezgodne {failed:.0f} z {metres:.0f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/tables/scan_layers.py" line="82"/>
+        <source>{finding} {lacking:.0f} m not measured.</source>
+        <translation>{finding} Nie zmierzono {lacking:.0f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="288"/>
+        <source>As much of the finest detail is left {strip} as around it</source>
+        <translation>Najdrobniejszych detali zostało {strip} tyle co wokół niej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="237"/>
+        <source>{lost} % of detail lost {strip}</source>
+        <translation>{lost} % detali utracono {strip}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="290"/>
+        <source>No loss is certain {strip}</source>
+        <translation>Żadna strata {strip} nie jest pewna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="174"/>
+        <source>beside the seam</source>
+        <translation>przy linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="174"/>
+        <source>in {width} m along the seam</source>
+        <translation>w pasie {width} m wzdłuż linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="150"/>
+        <source>softened seam</source>
+        <translation>zmiękczona linia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="151"/>
+        <source>The mosaic was softened along the seam: less is left than a mixture of its images would leave.</source>
+        <translation>Ortofotomapa została zmiękczona wzdłuż linii mozaikowania: zostało mniej, niż zostawiłoby zmieszanie obrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="152"/>
+        <source>the seam is softened</source>
+        <translation>linia mozaikowania jest zmiękczona</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="153"/>
+        <source>softened</source>
+        <translation>zmiękczenie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="154"/>
+        <source>Don&apos;t soften it.</source>
+        <translation>Nie zmiękczaj jej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="104"/>
+        <source>Window {number}; {count} more {count:source covers|sources cover} a part of it: no curve</source>
+        <translation>Okno {number}; jeszcze {count} {count:źródło obejmuje|źródła obejmują|źródeł obejmuje} jego część: bez krzywej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="189"/>
+        <source>No seam runs through this window.</source>
+        <translation>Przez to okno nie przebiega żadna linia mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="48"/>
+        <source>Windows placed along the seams: {count}; places taken before: {there}.</source>
+        <translation>Okna wzdłuż linii mozaikowania: {count}; miejsca już zajęte: {there}.</translation>
     </message>
 </context>
 </TS>

@@ -5,14 +5,16 @@ That is the sentence of a window; what it rests on is told apart, to who asks wh
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..imagery.limits import MAX_SIGNIFICANT_RATIO
-from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, shown_metres, shown_number, tr
-from .measure.judgement.causes import Cause, causes_taken
+from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, sentence, shown_number, tr
+from .measure.judgement.causes import MIXTURES, Cause, causes_taken
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
-from .measure.profile.seam_profile import Measure, SeamProfile
+from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
     CAUSES,
@@ -20,6 +22,7 @@ from .words import (
     cause_clause,
     loss_words,
     seam_width_words,
+    strip_words,
     to_do,
     verdict_sentence,
 )
@@ -56,11 +59,6 @@ def shown_area(area_m2: float) -> str:
     return filled(tr("{area} m²"), area=grouped_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
 
 
-def shown_side(side_m: float) -> str:
-    """The side of a window, in the centimetres that it spans at least, by which it is set."""
-    return shown_metres(math.floor(100 * side_m + 1e-6) / 100)
-
-
 def _kept_words(row: WindowRecord) -> list[str]:
     if judged_kept(row) is None:
         return []
@@ -80,18 +78,16 @@ _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
 _LEAST_TAKEN = 0.005  # of the window's finest detail
 
 
-def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
-    """What took detail there, in a few words."""
-    if causes[0] == Cause.UNCLEAR:
-        return tr("cause unclear")
-    if Cause.BLUR in causes:
-        return tr("softened there")
-    if Cause.OTHER_MIXTURE in causes:
-        return tr("mixed, but not by weights")
-    px = _misfit_px(row)
-    apart = "" if px is None else filled(tr("images {value} px apart"), value=shown_number(px, 1))
-    words = {Cause.MISREGISTRATION.value: apart or tr("images do not fit"), Cause.FEATHERING.value: tr("feathered")}
-    return ", ".join(filter(None, map(words.get, causes)))
+def _brief(causes: Sequence[str], row: WindowRecord, widths: SeamWidths) -> str:
+    """What took detail there, in a few words, the first with how wide it did along a seam."""
+    said = [tr(brief) for cause in causes if cause in CAUSES and (brief := CAUSES[cause].brief)]
+    if Cause.MISREGISTRATION in causes and (px := _misfit_px(row)) is not None:
+        said[causes.index(Cause.MISREGISTRATION)] = filled(tr("images {value} px apart"), value=shown_number(px, 1))
+    return ", ".join([*(_over(first, widths.of(causes[0])) for first in said[:1]), *said[1:]])
+
+
+def _over(words: str, width: str) -> str:
+    return filled(tr("{clause} over {width} m"), clause=words, width=width) if width else words
 
 
 def _misfit_px(row: WindowRecord) -> float | None:
@@ -99,21 +95,15 @@ def _misfit_px(row: WindowRecord) -> float | None:
     return row.misfit if (row.misfit or 0) >= MIN_MISREGISTRATION_PX else None
 
 
-def _done(row: WindowRecord, explanation: Explanation | None, width: str, most: int | None = None) -> str:
+def _done(row: WindowRecord, explanation: Explanation | None, widths: SeamWidths, most: int | None = None) -> str:
     """All that was done to the window, or the ``most`` that took most, to go on a sentence with."""
-    causes = _causes_of(row)[:most]
-    clauses = (_clause(cause, row, explanation, width) for cause in causes if cause not in _TOLD_BEFORE)
+    causes = [cause for cause in _causes_of(row)[:most] if cause not in _TOLD_BEFORE]
+    clauses = (_over(_clause(cause, row, explanation), widths.of(cause)) for cause in causes)
     return "; ".join(filter(None, clauses))
 
 
-def _clause(cause: str, row: WindowRecord, explanation: Explanation | None, width: str) -> str:
-    if cause == Cause.BLUR and cause in loss_place(row).at_seam(_causes_of(row)):
-        return tr("the mosaic is softened along the seam")
-    is_of_images = cause in (Cause.FEATHERING, Cause.MISREGISTRATION)
-    clause = cause_clause(cause, explanation, _misfit_px(row) if is_of_images else None)
-    if width and cause in (Cause.FEATHERING, Cause.OTHER_MIXTURE):
-        return filled(tr("{clause} over {width} m"), clause=clause, width=width)
-    return clause
+def _clause(cause: str, row: WindowRecord, explanation: Explanation | None) -> str:
+    return cause_clause(cause, explanation, _misfit_px(row) if cause == Cause.MISREGISTRATION else None)
 
 
 def _as_sentence(clause: str) -> str:
@@ -128,34 +118,31 @@ _NOT_COMPARABLE = "not_comparable"
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
-def window_sentence(
-    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None,
-    profile: SeamProfile | None = None,
-) -> str:
+def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> str:
     """Verdict; where and how much; by what; what to do. With its result the numbers of the cause are told too.
 
     A result that is not the one in the row, as after an undo, is left aside. ``pixel_m``: the mosaic's pixel size,
-    and ``profile``, where there is no result to say them.
+    where there is no result to say it.
     """
     if not row.verdict:
         return verdict_sentence("")
-    why = explanation_of(row, result)
+    row, why = in_users_language(row, result), explanation_of(row, result)
     if row.verdict == _NOT_COMPARABLE:
-        sentence = row.reason or verdict_sentence(row.verdict)
+        said = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
-        width = _width(row, result, pixel_m, profile)
-        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, width)])
+        widths = SeamWidths(row, result, pixel_m)
+        said = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, widths)])
     else:
-        sentence = _by_ratio(row, why)
-    return filled(tr("{finding} Changed since: inspect it again."), finding=sentence) if row.stale else sentence
+        said = _by_ratio(row, why)
+    return filled(tr("{finding} Changed since: inspect it again."), finding=said) if row.stale else said
 
 
 def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> list[str]:
     """What the sentence of a window rests on, and all else that was found, a paragraph each."""
-    explanation = explanation_of(row, result)
+    row, explanation = in_users_language(row, result), explanation_of(row, result)
     said = []
     if row.reference == SEAM and row.verdict:
-        done = _done(row, explanation, _width(row, result, pixel_m))
+        done = _done(row, explanation, SeamWidths(row, result, pixel_m))
         said = [*_interval(row), _as_sentence(done)]
         profile = None if explanation is None else explanation.profile
         if profile is not None and profile.measure is Measure.MIXTURE:
@@ -173,13 +160,34 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
     return list(filter(None, said))
 
 
-def _width(
-    row: WindowRecord, result: WindowResult | None, pixel_m: float | None, profile: SeamProfile | None = None
-) -> str:
-    if result is None:
-        return seam_width_words(row.band_width, row.feather_width, pixel_m, profile=profile)
-    pixel_m = result.ground_sample_distance
-    return seam_width_words(row.band_width, row.feather_width, pixel_m, result.longer_side_m, result.profile)
+class SeamWidths(NamedTuple):
+    """How wide the loss along the seams of a window is told, metres in words, empty where that is not known."""
+
+    row: WindowRecord
+    result: WindowResult | None
+    pixel_m: float | None  # the mosaic's pixel size, where there is no result to say it
+
+    @property
+    def strip(self) -> str:
+        """The strip whose share is told, by its width where that is known."""
+        width = strip_words(self.pixel_m if self.result is None else self.result.ground_sample_distance)
+        return filled(tr("in {width} m along the seam"), width=width) if width else tr("beside the seam")
+
+    def of(self, cause: str) -> str:
+        """Across a seam: the mixture's from end to end, or the band's where nothing mixed has a part in that."""
+        result, is_mixed = self.result, not set(MIXTURES).isdisjoint(_causes_of(self.row))
+        if cause not in (*MIXTURES, Cause.SOFTENED) or (is_mixed and cause == Cause.SOFTENED):
+            return ""
+        metres = (is_mixed and self.row.feather_width) or self.row.band_width
+        if result is None:
+            return seam_width_words(metres, self.pixel_m)
+        return seam_width_words(metres, result.ground_sample_distance, result.longer_side_m, result.profile)
+
+
+def in_users_language(row: WindowRecord, result: WindowResult | None) -> WindowRecord:
+    """What a row holds, its reason worded anew where the result tells it: the file has it as it was inspected."""
+    reason = result.judgement.reason if result is not None and result.judgement.verdict.value == row.verdict else None
+    return replace(row, reason=sentence(reason)) if row.reason and reason is not None else row
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
@@ -193,7 +201,7 @@ def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanatio
 def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     """The sentence where the verdict was taken by whole windows."""
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
-    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else _clause(row.cause, row, explanation, "")
+    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else _clause(row.cause, row, explanation)
     if ratio is None:
         return f"{verdict} {_as_sentence(because)}".rstrip()
     left = tr("Detail at level 1 is {percent} % of the sources'")
@@ -216,23 +224,21 @@ def painted_width_m(row: WindowRecord, result: WindowResult | None) -> float:
     return max(row.band_width or 0.0, row.feather_width or 0.0) if is_alone else 0.0
 
 
-def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str) -> list[str]:
+def _by_the_seam(row: WindowRecord, explanation: Explanation | None, widths: SeamWidths) -> list[str]:
     """Sentences of how much was lost and by what, and what to do about it: two lines at most, so of seam and whole
-    window only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands
-    last, away from the seam's causes."""
+    window only what took the more, or made the verdict, is told with its cause; what both took stands last."""
     if row.verdict not in LOSSES:
-        return [_what_is_left(row, _done(row, explanation, width, most=1))]
+        return [_what_is_left(row, _done(row, explanation, widths, most=1), widths.strip)]
     place = loss_place(row)
     causes = place.decisive(_causes_of(row))
     said, in_all = _lost_in_whole(row, place), []
     if place.is_decisive:
-        said = _lost_along(1 - (row.kept_1 or 0.0), width)
+        lost = percent(1 - (row.kept_1 or 0.0), 1 - MAX_SIGNIFICANT_KEPT)
+        said = filled(tr("{lost} % of detail lost {strip}"), lost=lost, strip=widths.strip)
         if row.loss is not None and _is_whole_soft(row, explanation):
             in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
-    brief = CAUSES[causes[0]].brief if causes and causes[0] in CAUSES else ""
-    clause = tr(brief) if brief else ""
-    if causes and causes[0] in place.at_seam(causes):
-        clause = _brief_at_seam(causes, row)
+    named = [cause for cause in place.at_seam(causes) if cause != Cause.UNCLEAR]
+    clause = _brief(named if causes[:1] == named[:1] else causes[:1], row, widths)
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]
 
 
@@ -242,13 +248,6 @@ def _causes_of(row: WindowRecord) -> list[str]:
 
 def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
     return loss_place(row).is_whole_soft if explanation is None else explanation.ground_left < 1
-
-
-def _lost_along(lost: float, width: str) -> str:
-    text = tr("{lost} % of detail lost in {width} m along the seam") if width else tr(
-        "{lost} % of detail lost beside the seam"
-    )
-    return filled(text, lost=percent(lost, 1 - MAX_SIGNIFICANT_KEPT), width=width)
 
 
 def _lost_in_whole(row: WindowRecord, place: LossPlace) -> str:
@@ -282,14 +281,14 @@ def _has_no_kept(row: WindowRecord) -> bool:
     return row.kept_1 is None or row.kept_high is None
 
 
-def _what_is_left(row: WindowRecord, clause: str) -> str:
+def _what_is_left(row: WindowRecord, clause: str, strip: str) -> str:
     """The sentence where no loss is sure."""
     if _has_no_kept(row):
-        reason = row.reason or tr("No change from one source to another is found in the window.")
-        return f"{reason} {_as_sentence(clause)}".rstrip()
-    text = tr("Along the seam as much of the finest detail is left as around it")
+        return f"{row.reason} {_as_sentence(clause)}".strip()
+    text = tr("As much of the finest detail is left {strip} as around it")
     if (row.kept_1 or 0.0) < _ALL_KEPT:
-        text = tr("Along the seam no loss is certain")
+        text = tr("No loss is certain {strip}")
+    text = filled(text, strip=strip)
     return f"{text}; {clause}." if clause else f"{text}."
 
 

@@ -7,12 +7,12 @@ colours for the windows' pictures, the map and the scan, so that all compare.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, isfinite, log
+from math import floor, inf, isfinite, log
 from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ..toolkit.translation import filled, percent, shown_number, tr
+from ..toolkit.translation import filled, percent, shown_metres, shown_number, tr
 from .measure.judgement.causes import MIN_GAIN_RATIO, Cause
 from .measure.profile.seam_profile import BAND_KEPT, STRIP_PX, WIDEST_FEATHER_PX
 
@@ -65,26 +65,30 @@ _LEAST_WIDTH_M = 0.05  # less is 0.0 m
 _ENDLESS = 0.999  # of the widest feather: layers may keep a few digits only
 
 
-def seam_width_words(
-    band_m: float | None, feather_m: float | None, pixel_m: float | None = None, window_m: float = inf,
-    profile: SeamProfile | None = None,
-) -> str:
-    """How wide a seam took detail, metres; empty for a cut. It is the one width of a seam that is told anywhere.
+def strip_words(pixel_m: float | None) -> str:
+    """How wide a strip along the seam kept_1 is of, metres; empty where the mosaic's pixel size is not known."""
+    return "" if pixel_m is None else shown_metres(2 * STRIP_PX * pixel_m)
 
-    A feather loses detail from end to end of its mixture, another loss in its band: the wider one. ``pixel_m``: the
-    mosaic's pixel size, by which a feather is known that does not end as far as one is looked for. ``window_m``: the
-    longer side of the window that is judged, beyond which ground was read and nothing is told. ``profile``: by which a
-    band is known that does not end as far as it was measured.
+
+def seam_width_words(
+    metres: float | None, pixel_m: float | None = None, window_m: float = inf, profile: SeamProfile | None = None
+) -> str:
+    """How wide a cause took detail along a seam, metres; empty for a cut. "At least" where it does not end as far as it
+    is looked for, by the mosaic's pixel size or by the profile, or in the window, of which ``window_m`` is the side.
     """
-    metres = max(band_m or 0.0, feather_m or 0.0)
-    if metres < _LEAST_WIDTH_M:
+    if metres is None or metres < _LEAST_WIDTH_M:
         return ""
-    is_endless = pixel_m is not None and (feather_m or 0.0) > _ENDLESS * WIDEST_FEATHER_PX * pixel_m
     known = [] if profile is None else [bin_ for bin_ in profile.bins if bin_.level == 1 and isfinite(bin_.far_px)]
     beyond = [bin_.kept for bin_ in known if bin_.far_px > STRIP_PX]
+    is_endless = pixel_m is not None and metres > _ENDLESS * WIDEST_FEATHER_PX * pixel_m
     is_endless = is_endless or metres > window_m + _LEAST_WIDTH_M or max(beyond, default=1.0) < BAND_KEPT
     width = shown_number(min(metres, window_m), 1)
     return filled(tr("at least {width}"), width=width) if is_endless else width
+
+
+def shown_side(side_m: float) -> str:
+    """The side of a window, in the centimetres that it spans at least, by which it is set."""
+    return shown_metres(floor(100 * side_m + 1e-6) / 100)
 
 
 def observer_word(observer: str) -> str:
@@ -112,7 +116,7 @@ class ShownCause(NamedTuple):
     """That number; None where it is not known, and 0 says nothing."""
     shown: Callable[[float], str] = shown_number
     loss: str = ""  # what it took all over a window, ``{value}`` per cent of the finest detail
-    brief: str = ""  # what was done to all of the mosaic where it took detail, in a word or two
+    brief: str = ""  # what was done where it took detail, in a word or two
     to_do: str = ""  # what whoever made the mosaic can do about what it took
 
 
@@ -132,15 +136,22 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("feathering"),
         QT_TR_NOOP("Two images that differ were mixed by weights along the seam."),
         QT_TR_NOOP("images are feathered"),
-        QT_TR_NOOP("images {value} px apart are feathered"),
-        shown=_tenths,
+        brief=QT_TR_NOOP("feathered"),
         to_do=QT_TR_NOOP("Feather less."),
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
         QT_TR_NOOP("other mixture"),
         QT_TR_NOOP("Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand."),
         QT_TR_NOOP("images are mixed by another rule than weights"),
+        brief=QT_TR_NOOP("mixed by another rule"),
         to_do=QT_TR_NOOP("Cut hard there."),
+    ),
+    Cause.SOFTENED.value: ShownCause(
+        QT_TR_NOOP("softened seam"),
+        QT_TR_NOOP("The mosaic was softened along the seam: less is left than a mixture of its images would leave."),
+        QT_TR_NOOP("the seam is softened"),
+        brief=QT_TR_NOOP("softened"),
+        to_do=QT_TR_NOOP("Don't soften it."),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
         QT_TR_NOOP("narrowed histogram"),
@@ -182,6 +193,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("images do not fit where they meet"),
         QT_TR_NOOP("images lie {value} px apart where they meet"),
         shown=_tenths,
+        brief=QT_TR_NOOP("images do not fit"),
         to_do=QT_TR_NOOP("Register images."),
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
@@ -259,6 +271,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("unclear"),
         QT_TR_NOOP("What was measured does not point to one cause."),
         QT_TR_NOOP("the cause is unclear"),
+        brief=QT_TR_NOOP("cause unclear"),
     ),
 }
 """Causes by the word that tables hold."""

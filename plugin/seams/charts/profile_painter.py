@@ -14,6 +14,7 @@ from ...toolkit.translation import filled, percent, shown_number, tr
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import ProfileRecord, WindowRecord
+from ..words import strip_words
 
 FARTHEST_PX = 400.0
 """The end that the last bin, which has none, is drawn with."""
@@ -37,7 +38,6 @@ class ShownProfile:
     min_kept: float  # share at or below which a loss is significant
     levels: frozenset[int] = frozenset({1})  # which are drawn; the finest of them with its interval
     ground_left: float = 1.0  # what the ground around has of the sources' finest detail
-    window_m: float = inf  # longer side of the window that it is of
 
     def bins(self, level: int) -> list[ProfileBin]:
         """Bins of one level, from the seam outwards."""
@@ -120,24 +120,15 @@ def bin_words(shown: ShownProfile, bin_: ProfileBin) -> str:
 
 def summary_words(shown: ShownProfile) -> str:
     """What is kept beside the seam."""
-    from ..words import seam_width_words  # needs numpy, which a chart does without
-
     profile = shown.profile
     if profile.kept[0] is None:
         return ""
-    width = seam_width_words(
-        profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m,
-        shown.window_m, profile,
-    )
-    text = tr("{kept} % kept ({low} to {high} %)")
+    text = tr("{kept} % kept ({low} to {high} %) in {width} m")
     if shown.ground_left < 1 and profile.is_of_the_ground:
-        text = tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages")
-    elif profile.high < 1 and width:
-        text = tr("{kept} % kept ({low} to {high} %) in {width} m")
+        text = tr("{kept} % kept ({low} to {high} %) in {width} m; around it {left} %")
+    kept, low, high = (percent(share, shown.min_kept) for share in (profile.kept[0], profile.low, profile.high))
     return filled(
-        text, kept=percent(profile.kept[0], shown.min_kept),
-        low=percent(profile.low, shown.min_kept), high=percent(profile.high, shown.min_kept),
-        width=width, left=percent(shown.ground_left),
+        text, kept=kept, low=low, high=high, width=strip_words(shown.pixel_m), left=percent(shown.ground_left)
     )
 
 

@@ -164,8 +164,7 @@ class JudgeBar(QWidget):
         elif piece is not None:
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
-            profile = None if piece.profile is None else piece.profile.profile
-            finding = window_sentence(piece.record, pixel_m=pixel_m, profile=profile)
+            finding = window_sentence(piece.record, pixel_m=pixel_m)
             sentence = filled(tr("By the scan, this piece of seam: {finding}"), finding=finding)
         elif self._judging.is_walked():
             sentence = tr("No window at the worst places is left to judge.")

@@ -16,13 +16,14 @@ from qgis.PyQt.QtGui import QCursor
 from qgis.PyQt.QtWidgets import QPushButton, QWhatsThis
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
+from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from ...toolkit.background_tasks import BackgroundTasks, Outcome
 from ...toolkit.connections import Connections
 from ...toolkit.desk.tool_dock import bar_level, write_log
 from ...toolkit.desk.widgets import rich_tip
 from ...toolkit.layer_styles import load_style
 from ...toolkit.reference_systems import keep_system
-from ...toolkit.translation import filled, sentence, tr
+from ...toolkit.translation import filled, percent, sentence, tr
 from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..measure import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
@@ -161,9 +162,10 @@ class MosaicScans(QObject):
         QGIS takes some 20 ms for each.
         """
         root = self._project.layerTreeRoot()
-        for older in root.findGroups():
-            if older.name() == self._title:  # else two pictures and twice the labels lie on top of each other
-                older.setItemVisibilityChecked(False)
+        before = self.worst_layer()  # of the scan that gives way: two pictures, and labels, would lie on each other
+        older = None if before is None else root.findLayer(before)
+        if older is not None and older.parent() != root:
+            older.parent().setItemVisibilityChecked(False)
         group = root.insertGroup(0, self._title)
         group.setExpanded(True)
         file = done.files.layers
@@ -256,9 +258,9 @@ def scan_message(
     """Say how much was lost or could not be measured, with what was told of the scan behind a button, and offer the
     worst places until they are taken, or the project closes."""
     item = bar.createMessage(escape(sentence(done.finding), quote=False))
-    if warnings:
-        notes = rich_tip(*map(sentence, warnings))
-        _add_button(item, tr("More"), notes, lambda: QWhatsThis.showText(QCursor.pos(), notes, bar))
+    limit = filled(tr("A piece fails that keeps {percent} % or less."), percent=percent(STANDARD_LEAST_KEPT))
+    notes = rich_tip(limit, *map(sentence, warnings))
+    _add_button(item, tr("More"), notes, lambda: QWhatsThis.showText(QCursor.pos(), notes, bar))
     if done.worst_count:  # a longer word would leave no room for the sentence
         tip = tr("Inspects the windows of the worst places, and goes to the worst that is not judged yet.")
         _add_button(item, tr("Judge"), tip, judge).clicked.connect(item.dismiss)

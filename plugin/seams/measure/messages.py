@@ -45,7 +45,7 @@ SEAMS_LEFT_OUT = Message(
     "Seams without a window, as they lie within windows of longer ones or outside the mosaic, or are shorter than "
     "{shortest:.2f} m: {count}.", WARNING
 )
-WINDOWS_PLACED = Message("Windows placed along the seams: {count}; there already: {there}.", INFO)
+WINDOWS_PLACED = Message("Windows placed along the seams: {count}; places taken before: {there}.", INFO)
 NO_RECTANGLE = Message(
     "Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a "
     "geometry or with xmin, ymin, xmax and ymax."

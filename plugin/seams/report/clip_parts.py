@@ -52,10 +52,10 @@ def measured_loss(block: Block, window: PixelWindow, width_px: float = 0.0) -> P
     return None if loss is None or request.window is None else PlacedLoss(request.window, loss, width_px)
 
 
-def most_lost(window: PixelWindow, placed: PlacedLoss | None) -> PixelWindow:
-    """The part of a window that lost most; its middle, where nothing is told."""
+def most_lost(window: PixelWindow, placed: PlacedLoss | None, is_along: bool) -> PixelWindow:
+    """The part of a window that lost most, on its seam where that is told; its middle, where nothing is told."""
     side = min(REPORT_CLIP_PX, window.width, window.height)
-    places = [] if placed is None else worst_places(placed.loss)
+    places = [] if placed is None else worst_places(placed.loss, is_along)
     x, y = places[0] if places else (window.width / 2, window.height / 2)
     column, row = (
         min(max(round(at - side / 2), 0), length - side) for at, length in ((x, window.width), (y, window.height))
@@ -97,6 +97,7 @@ class ClipJob:
     names: tuple[str, ...]  # file names of the sources, those to be shown first in front; empty: as they come
     loss: LossPicture | None = None  # lost detail of the whole window where it was measured already
     width_m: float = 0.0  # how wide its seam took detail; 0 where more did
+    is_along: bool = False  # whether the loss that is told is that of its seam
 
 
 @dataclass(frozen=True)
@@ -148,7 +149,7 @@ def _parts(block: Block, job: ClipJob) -> WindowParts:
             placed = measured_loss(block, window, width_px)
         else:
             placed = PlacedLoss(window, job.loss, width_px)
-        part = most_lost(window, placed)
+        part = most_lost(window, placed, job.is_along)
         clips = [read_clip(open_raster(mosaic.ref), mosaic, part)]
         loss = None if placed is None else loss_overview(mosaic, placed, part)
     except SeamInspectorError as error:

@@ -20,7 +20,7 @@ from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour,
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
-from ..window_summary import judged_words, painted_width_m, two_digits, window_sentence, window_why
+from ..window_summary import judged_words, loss_place, painted_width_m, two_digits, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -123,7 +123,9 @@ class WindowSections:
             judged = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
             names = [pair.source for pair in sorted(judged, key=lambda pair: -(pair.ratio or 0))]
         loss = None if result is None else result.loss
-        return ClipJob(record.extent, tuple(names), loss, painted_width_m(record, result))
+        return ClipJob(
+            record.extent, tuple(names), loss, painted_width_m(record, result), loss_place(record).is_decisive
+        )
 
     def _section(self, record: WindowRecord, clips: WindowParts) -> dict[str, object]:
         request, window = self._request, record.window_id
@@ -158,8 +160,8 @@ class WindowSections:
         if result is None or result.profile is None:
             return shown_profile(record, request.profiles.get(record.window_id, ()), self._pixel_m, request.min_kept)
         levels = frozenset(bin_.level for bin_ in result.profile.bins)
-        pixel_m, window_m = result.ground_sample_distance, result.longer_side_m
-        return ShownProfile(result.profile, pixel_m, request.min_kept, levels, result.ground_left, window_m)
+        pixel_m = result.ground_sample_distance
+        return ShownProfile(result.profile, pixel_m, request.min_kept, levels, result.ground_left)
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
@@ -178,7 +180,7 @@ class WindowSections:
 def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
     """The levels, and a row for each ratio that is known: against what, by level, that of the background."""
     rows = [
-        (_kept_heading(record), record.kept, None, MAX_SIGNIFICANT_KEPT),
+        (tr("kept along the seam"), record.kept, None, MAX_SIGNIFICANT_KEPT),
         (tr("against the sources"), record.ratios, record.background_ratio, MAX_SIGNIFICANT_RATIO),
         (tr("against the hard-cut composite"), record.composite_ratios, None, MAX_SIGNIFICANT_RATIO),
         (tr("expected of a 50:50 feather"), record.expected_ratios, None, MAX_SIGNIFICANT_RATIO),
@@ -189,13 +191,6 @@ def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
         [name, *(two_digits(value, limit) for value in values), *[""] * (levels - len(values)), two_digits(background)]
         for name, values, background, limit in known
     ]
-
-
-def _kept_heading(record: WindowRecord) -> str:
-    if record.kept_low is None or record.kept_high is None:
-        return tr("kept along the seam")
-    low, high = (two_digits(kept, MAX_SIGNIFICANT_KEPT) for kept in (record.kept_low, record.kept_high))
-    return filled(tr("kept along the seam (level 1: {low} to {high})"), low=low, high=high)
 
 
 def _place_words(clips: WindowParts) -> str:

@@ -14,6 +14,7 @@ from ..measure import limits
 from ..measure.window.inspection import Block
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
+from ..window_summary import in_users_language
 
 
 @dataclass(frozen=True)
@@ -74,6 +75,7 @@ def _on_mosaic(
     project: QgsProject,
 ) -> WindowRecord:
     """With its extent in another system, and all that was measured of its composite."""
+    row = in_users_language(row, result)
     row = replace(row, extent=row.extent and layers.transformed_extent(row.extent, crs, target, project))
     why = result.explanation if result is not None else None
     if why is None:

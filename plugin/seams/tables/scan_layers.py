@@ -12,7 +12,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import INFO, WARNING, Message, SettingsError
 from ...imagery.records import Column
-from ...imagery.seam_totals import STANDARD_LEAST_KEPT, TOTALS_DOMAIN, PieceState
+from ...imagery.seam_totals import TOTALS_DOMAIN, PieceState
 from ...toolkit.geopackages import write_table
 from ...toolkit.layers import rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
@@ -77,9 +77,9 @@ SCAN_LAYERS = (WORST, SEAMS, CELLS)
 
 NO_SEAM = Message("Scanned: no seam was found.", INFO)
 NONE_FAILED = Message("None of {metres:.0f} m of seams failed.", INFO)
-FAILED = Message("{failed:.0f} of {metres:.0f} m failed: below {percent} % kept.", WARNING)
+FAILED = Message("{failed:.0f} of {metres:.0f} m failed.", WARNING)
 NONE_MEASURED = Message("None of {metres:.0f} m of seams could be measured.", WARNING)
-PARTLY_MEASURED = Message("{finding} {lacking:.0f} m could not be measured.", WARNING)
+PARTLY_MEASURED = Message("{finding} {lacking:.0f} m not measured.", WARNING)
 
 
 def scan_finding(pieces: Sequence[scan_result.JudgedPiece]) -> Message:
@@ -88,7 +88,7 @@ def scan_finding(pieces: Sequence[scan_result.JudgedPiece]) -> Message:
     total, failed, lacking = (scan_result.metres(pieces, *counted) for counted in states)
     finding = NONE_FAILED(metres=total - lacking) if total else NO_SEAM()
     if failed:
-        finding = FAILED(failed=failed, metres=total, percent=round(100 * STANDARD_LEAST_KEPT))
+        finding = FAILED(failed=failed, metres=total - lacking)
     elif total and round(lacking) == round(total):
         return NONE_MEASURED(metres=total)
     if not round(lacking):

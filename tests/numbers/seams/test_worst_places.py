@@ -46,8 +46,12 @@ def test_where_nothing_is_lost_the_seam_is_looked_at_from_its_middle_on() -> Non
     assert len(heights) == 3
     assert min(np.diff(heights)) >= SHOWN_PX
     assert worst_places(picture(even())) == []
+    beside = even()
+    beside[8:24, 20:36], beside[44:56, 8:16] = 0.2, 0.5  # more is gone on a field than along the seam
+    (in_field, *_), (on_seam, *_) = (worst_places(picture(beside, seam), is_along) for is_along in (False, True))
+    assert in_field[0] > 200 > on_seam[0] == 50.5 * SAMPLE_PX
     softened = 0.6 + 0.1 * np.random.default_rng(1).random(even().shape)
     assert worst_places(picture(softened, seam)) == spots  # all over, a little more here and there
     lossy = even()
     lossy[8:24, 8:24] = 0.3
-    assert worst_places(picture(lossy, seam), is_hidden=True) == spots  # who judges blind is not told where it was lost
+    assert worst_places(picture(lossy, seam), True, is_hidden=True) == spots  # who judges blind is not told where

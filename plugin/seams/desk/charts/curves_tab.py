@@ -101,7 +101,7 @@ class CurvesPanel(_SavedChart):
         row, ending = next(map(self._session.row, self._session.selected()), None), 0
         if row is not None and not self._session.is_pending(row.fid):
             ending = (row.sources or 0) - sum(clip.role == "source" for clip in result.clips)
-        text = tr("Window {number}; {count} more {count:source ends|sources end} in it")
+        text = tr("Window {number}; {count} more {count:source covers|sources cover} a part of it: no curve")
         return filled(text if ending > 0 else tr("Window {number}"), number=result.window_id, count=ending)
 
     def _show_no_curves(self, why: str) -> None:
@@ -166,7 +166,7 @@ class ProfilePanel(_SavedChart):
 
     def refresh(self) -> None:
         """Show a clicked piece's, the selected window's, or that of the window under the mouse while it is moved."""
-        live, piece = self._session.live, self._session.piece
+        live, piece, min_kept = self._session.live, self._session.piece, self._session.inputs.min_kept
         if piece is not None and piece.profile is not None:
             self.chart.setEnabled(True)
             self.show_profile(piece.profile)
@@ -175,22 +175,19 @@ class ProfilePanel(_SavedChart):
         self.chart.setEnabled(live is None or live.profile is not None)  # else it is another window's
         if live is not None:
             if live.profile is not None:
-                min_kept = self._session.inputs.min_kept
-                pixel_m, window_m = live.clips.ground_sample_distance, live.clips.longer_side_m
-                self.show_profile(ShownProfile(live.profile, pixel_m, min_kept, window_m=window_m))
+                self.show_profile(ShownProfile(live.profile, live.clips.ground_sample_distance, min_kept))
             self._offer(None)
             return
         selected = self._session.selected()
         result = self._session.result(selected[0]) if len(selected) == 1 else None
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
-            pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
-            window_m, ground_left = result.longer_side_m, result.ground_left
-            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left, window_m=window_m))
+            pixel_m = result.ground_sample_distance
+            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=result.ground_left))
         else:
-            result = None
-            several = tr("Select one window to see its seam profile.")
-            self._text.setText(several if len(selected) > 1 else "")  # of a single one its sentence says why
+            why, result = None if result is None else result.explanation, None
+            words = "" if why is None or why.has_seam else tr("No seam runs through this window.")
+            self._text.setText(tr("Select one window to see its seam profile.") if len(selected) > 1 else words)
             self._pages.setCurrentWidget(self._text)
             self._say()
         self._offer(result)

@@ -24,7 +24,7 @@ from ...measure.limits import DENSITIES
 from ...measure.planning.window_placing import fitting_side_m, window_side_px
 from ...measure.window_records import REFERENCES
 from ...tables.input_layers import CELL_FIELD, LOCATION_FIELD
-from ...window_summary import shown_side
+from ...words import shown_side
 from .sources import SourceList, Suggesting
 
 if TYPE_CHECKING:

@@ -99,7 +99,7 @@ class WindowView:
         if result is None or result.window is None or result.loss is None:
             return []
         left, _, _, top = grid.window_extent(result.window)
-        places = worst_places(result.loss, self._is_blind())
+        places = worst_places(result.loss, result.loss_place.is_decisive, self._is_blind())
         return [(left + column * grid.pixel_width, top - row * grid.pixel_height) for column, row in places]
 
     def follow(self) -> None:

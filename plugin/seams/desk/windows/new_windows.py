@@ -22,7 +22,7 @@ from ...measure.planning.window_placing import Placement
 from ...measure.window.inspection import Block
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
-from ...window_summary import shown_side
+from ...words import shown_side
 from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache
 from ..window_home import WindowHome

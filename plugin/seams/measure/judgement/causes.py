@@ -5,7 +5,7 @@ each of them took. What takes none of it (tones, noise, sharpening) comes after 
 """
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from math import log
 
@@ -130,6 +130,15 @@ class CauseEvidence:
     """Gain of tones over some tens of pixels, which fine detail is compared at, over that of tones at large."""
     unit_dn: float = 1.0
     """How many grey values of the mosaic are one of 8 bit."""
+    seams: tuple[SeamProfile, ...] = ()
+    """Profiles of the seams between each two sources; none where there is a single one."""
+
+    @property
+    def by_seam(self) -> list[CauseEvidence]:
+        """The evidence on each seam that lost detail for sure; on all together where none did so alone."""
+        total = max(sum(seam.lost for seam in self.seams), 1e-9)
+        each = [replace(self, profile=seam, lost=self.lost * seam.lost / total, seams=()) for seam in self.seams]
+        return [seam for seam in each if seam.has_seam_loss] or [self]
 
     @property
     def is_compressed(self) -> bool:
@@ -266,6 +275,7 @@ class Cause(str, Enum):
     MISSING_SOURCE = "missing source"
     FEATHERING = "feathering"
     OTHER_MIXTURE = "other mixture"
+    SOFTENED = "softened seam"
     BLUR = "blur"
     RESAMPLED = "resampled"
     SHARPENED = "sharpened"
@@ -282,7 +292,9 @@ class Cause(str, Enum):
     UNCLEAR = "unclear"
 
 
-ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)
+MIXTURES = (Cause.FEATHERING, Cause.OTHER_MIXTURE)
+"""Causes that mix images."""
+ALONG_THE_SEAM = (*MIXTURES, Cause.SOFTENED, Cause.MISREGISTRATION)
 """Causes that take detail beside a seam alone."""
 ALL_OVER = (Cause.BLUR, Cause.RESAMPLED, Cause.COMPRESSED, Cause.CLIPPING, Cause.DODGING)
 """Causes that take detail in the whole window."""
@@ -290,7 +302,10 @@ ALL_OVER = (Cause.BLUR, Cause.RESAMPLED, Cause.COMPRESSED, Cause.CLIPPING, Cause
 
 def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
     """All that took part, and the share of the window's finest detail energy that each took, the most first."""
-    taken = {**_of_grey_values(evidence), **_all_over(evidence), **_along_the_seam(evidence)}
+    taken = {**_of_grey_values(evidence), **_all_over(evidence)}
+    for seam in evidence.by_seam:
+        for cause, share in _along_the_seam(seam).items():
+            taken[cause] = taken.get(cause, 0.0) + share
     if evidence.missing >= MIN_MISSING_SHARE:
         taken[Cause.MISSING_SOURCE] = evidence.missing
     if evidence.clipped >= MIN_CLIPPED_SHARE:
@@ -317,7 +332,7 @@ def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
     if not evidence.has_seam_loss:
         return taken
     if evidence.is_smoothed_seam:
-        return {**taken, Cause.BLUR: evidence.lost}
+        return {**taken, Cause.SOFTENED: evidence.lost}
     if evidence.is_other_mixture:
         return {**taken, Cause.OTHER_MIXTURE: evidence.lost}
     mixed = evidence.mixed_loss

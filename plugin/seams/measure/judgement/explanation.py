@@ -146,6 +146,7 @@ def explain(
         fit=following.fit,
         mid_scale_gain=_amplitude(image.curves[judged], curves[judged]) / sharpness if sharpness else 1.0,
         unit_dn=unit,
+        seams=detail.by_pair() if profile is not None and profile.high < 1 else (),
         lossy_file=image.raster.is_lossy,
         lossy_sources=any(images[i].raster.is_lossy for i in following.followed),
         filter_power=_filter_power(cut),

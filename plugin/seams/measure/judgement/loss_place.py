@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
-from .causes import ALL_OVER, ALONG_THE_SEAM, MAX_FEATHERED_KEPT, Cause
+from .causes import ALL_OVER, ALONG_THE_SEAM, Cause
 
 
 @dataclass(frozen=True)
@@ -41,18 +41,13 @@ class LossPlace:
 
     @property
     def is_decisive(self) -> bool:
-        """Whether the seam took the more, or made the verdict."""
+        """Whether the seam took the more, or made the verdict, so that its loss is the one told."""
         is_alone = self.verdict == "significant" or not self.is_whole_soft
         return self.is_along and (is_alone or (self.kept or 0.0) <= self.kept_in_whole)
 
     def at_seam(self, causes: Sequence[str]) -> list[str]:
-        """The causes that lie along the seam. One that lost detail and was not mixed was softened, be the
-        rest of the window blurred as well or not."""
-        named = [cause for cause in causes if cause in ALONG_THE_SEAM or cause == Cause.UNCLEAR]
-        is_lost = self.is_along and (self.kept or 0.0) <= MAX_FEATHERED_KEPT
-        is_named = any(cause != Cause.MISREGISTRATION for cause in named)
-        blur = [cause for cause in causes if cause == Cause.BLUR]
-        return [*blur, *named] if is_lost and not is_named else named
+        """The causes that lie along the seam."""
+        return [cause for cause in causes if cause in ALONG_THE_SEAM or cause == Cause.UNCLEAR]
 
     def decisive(self, causes: Sequence[str]) -> list[str]:
         """What took the detail that is told of, along the seam or in the whole, the strongest first; nothing where

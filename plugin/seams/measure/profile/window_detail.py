@@ -75,10 +75,28 @@ class WindowDetail:
     @cached_property
     def profile(self) -> SeamProfile | None:
         """A window is a scan of one piece; None without a seam, or with too little to be measured."""
-        sums = SeamSums(1, self.cells.levels)
-        sums.add(self.cells, self.mixture, self.ground, np.where(self.cells.are_within(self.inside), 0, -1))
-        measured = sums.profiles()[0].profile if self.has_seam else None
-        return None if measured is None or measured.energy[0] <= self.of_rounding else measured
+        return next(iter(self._profiles(np.zeros(len(self.cells), np.intp)))) if self.has_seam else None
+
+    def by_pair(self) -> tuple[SeamProfile, ...]:
+        """Profiles of the seams between each two sources that can be measured; none where all are of one pair. A cell
+        is of the pair of most of its pixels."""
+        seam, whole = self.mixture, self.cells.whole
+        codes = np.minimum(seam.source, seam.other).astype(np.intp) << 8 | np.maximum(seam.source, seam.other)
+        pairs, pair = np.unique(codes, return_inverse=True)
+        if len(pairs) < 2:
+            return ()
+        place = np.searchsorted(whole.keys, seam.keys) * len(pairs) + pair
+        areas = np.bincount(place, seam.products[0, 0], len(whole) * len(pairs)).reshape(-1, len(pairs))
+        of_cell = np.where(areas.any(axis=1), areas.argmax(axis=1), -1)
+        profiles = tuple(filter(None, self._profiles(of_cell[self.cells.cell])))
+        return profiles if len(profiles) > 1 else ()
+
+    def _profiles(self, piece: np.ndarray) -> list[SeamProfile | None]:
+        """Profiles of the pieces that the cells' rows are of, (n,), -1 for none, as far as they lie in the window."""
+        sums = SeamSums(int(piece.max()) + 1, self.cells.levels)
+        sums.add(self.cells, self.mixture, self.ground, np.where(self.cells.are_within(self.inside), piece, -1))
+        profiles = [strip.profile for strip in sums.profiles()]
+        return [each if each is not None and each.energy[0] > self.of_rounding else None for each in profiles]
 
 
 def window_detail(mosaic: np.ndarray, expected: ExpectedMosaic, wavelet: str, levels: int) -> WindowDetail:

@@ -87,16 +87,26 @@ def test_the_documentation_lists_the_causes_in_their_order(repository: Path) -> 
 
 
 def test_less_than_a_mixture_leaves_is_blur_along_the_seam() -> None:
-    assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT - LITTLE)) == (Cause.BLUR,)
+    assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT - LITTLE)) == (Cause.SOFTENED,)
     assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT)) == (Cause.FEATHERING,)
+
+
+def test_two_seams_are_explained_each_by_itself() -> None:
+    feathered = replace(SOUND_PROFILE, kept=(0.6,), high=0.7, lost=300.0)
+    softened = replace(feathered, kept=(0.1,), high=0.15, lost=100.0)
+    both = replace(evidence(kept=0.4, kept_high=0.5), lost=0.2, sharpness=0.9)
+    assert find_causes(both) == (Cause.FEATHERING,)
+    both = replace(both, seams=(feathered, softened, SOUND_PROFILE))
+    taken = dict(causes_taken(both))
+    assert taken == {Cause.FEATHERING: pytest.approx(0.15), Cause.SOFTENED: pytest.approx(0.05)}
 
 
 @pytest.mark.parametrize("by_mixture", [0.98, 0.8])
 def test_where_energy_says_much_less_than_the_mixture_it_was_softened(by_mixture: float) -> None:
     least = rules.MOST_LIKE_BLUR * by_mixture
     values = {"kept_high": 0.69, "by_mixture": by_mixture, "measure": Measure.ENERGY}
-    assert find_causes(evidence(**values, kept=0.5, by_energy=least - LITTLE)) == (Cause.BLUR,)
-    assert Cause.BLUR not in find_causes(evidence(**values, kept=0.5, by_energy=least + LITTLE))
+    assert find_causes(evidence(**values, kept=0.5, by_energy=least - LITTLE)) == (Cause.SOFTENED,)
+    assert Cause.SOFTENED not in find_causes(evidence(**values, kept=0.5, by_energy=least + LITTLE))
     agreed = {**values, "measure": Measure.BOTH}
     assert find_causes(evidence(**agreed, kept=0.5, by_energy=least - LITTLE)) == (Cause.FEATHERING,)
 
@@ -379,6 +389,8 @@ IN_GUIDE = {
     Cause.OTHER_MIXTURE: (percent(rules.MOST_LEFT),),
     Cause.BLUR: (
         f"at most {rules.MAX_BLURRED_TRANSFER} of", f"{rules.MAX_BLURRED_COMPRESSED} of the strongest",
+    ),
+    Cause.SOFTENED: (
         f"less than {rules.MOST_LIKE_BLUR} of", f"less than {rules.MIN_BLENDED_KEPT} of",
     ),
     Cause.RESAMPLED: (

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsGeometry
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.window_summary import shown_side
+from seam_inspector.plugin.seams.words import shown_side
 from seam_inspector.plugin.toolkit.layers import layer_path, system_wkt
 
 from tests.numbers.synthetic import write_raster
@@ -36,16 +36,16 @@ def place(desk: Desk, lines: list[QgsGeometry]) -> str:
 
 def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     said = place(desk, [_WHOLE])
-    assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}; there already: 0.")
+    assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}; places taken before: 0.")
     assert desk.levels[-1] == Qgis.MessageLevel.Success
     before = {row.window_id: row.extent for row in desk.session.windows()}
     desk.layer().commitChanges(False)  # files may round coordinates
     said = place(desk, [_WHOLE])
-    assert said == f"Windows placed along the seams: 0; there already: {len(before)}."
+    assert said == f"Windows placed along the seams: 0; places taken before: {len(before)}."
     assert {row.window_id: row.extent for row in desk.session.windows()} == before
     desk.session.remove([min(row.fid for row in desk.session.windows())])
     said = place(desk, [_WHOLE])
-    assert said.startswith(f"Windows placed along the seams: 1; there already: {len(before) - 1}.")
+    assert said.startswith(f"Windows placed along the seams: 1; places taken before: {len(before) - 1}.")
     assert sorted(row.extent for row in desk.session.windows()) == sorted(before.values())
 
 

@@ -24,10 +24,7 @@ DESCENDING = Qt.SortOrder.DescendingOrder
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
-        (
-            [10],
-            "Preserved. Along the seam as much of the finest detail is left as around it.",
-        ),
+        ([10], "Preserved. As much of the finest detail is left beside the seam as around it."),
         ([12], "Significant loss. Detail at level 1 is 45 % of the sources'. Changed since: inspect it again."),
         ([1, 2, 12], "3 windows selected."),
     ],

@@ -82,8 +82,7 @@ def test_the_mixture_is_a_quiet_line(panel: ProfilePanel) -> None:
     assert points[0] == pytest.approx((placed.axes.left(), placed.y_of(0.4)))
     assert [y for _, y in points[1:]] == pytest.approx([placed.y_of(0.4), placed.y_of(0.1), placed.y_of(0.1)])
     assert bin_words(shown, shown.bins(1)[0]).endswith(", 40 % other image")
-    wider = max(15, mixed.band_width_px) * PIXEL
-    assert summary_words(shown).endswith(f"in at least {wider:.1f} m")  # its last bin is mixed as well
+    assert summary_words(shown).endswith("in 1.6 m")  # the strip that is judged, however wide the feather
     drawn = panel.chart.grab().toImage()
     panel.show_profile(ShownProfile(PROFILE, PIXEL, 0.7))
     assert panel.chart.grab().toImage() != drawn
