@@ -263,9 +263,9 @@ class _Squares:
         around = _box_means((share(cells.energy) * cells.energy * counted,), self.side)[0]
         expected = _fisher(1 - around / np.maximum(total, 1e-9) / energy)
         most = float(np.quantile(expected[followed], 0.8))
-        told = followed & (expected < _fisher(1.0))  # where rounding decides all squares are alike
-        if np.count_nonzero(told) >= _FEWEST_CELLS // 2:
-            followed = told
+        uneven = followed & (expected < _fisher(1.0))  # where rounding decides all squares are alike
+        if np.count_nonzero(uneven) >= _FEWEST_CELLS // 2:
+            followed = uneven
         expected, z = expected[followed], z[followed]
         off = z - expected
         quantiles = np.quantile(off, (0.6, 0.7, 0.8, 0.93))
