@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ..imagery.limits import MAX_SIGNIFICANT_RATIO
 from ..toolkit.translation import decimals_beside, filled, grouped_number, percent, sentence, shown_number, tr
-from .measure.judgement.causes import MIXTURES, Cause, causes_taken
+from .measure.judgement.causes import ALONG_THE_SEAM, MIXTURES, Cause, causes_taken
 from .measure.judgement.loss_place import LossPlace
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX
 from .measure.profile.seam_profile import Measure
@@ -237,7 +237,7 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, widths: Sea
         said = filled(tr("{lost} % of detail lost {strip}"), lost=lost, strip=widths.strip)
         if row.loss is not None and _is_whole_soft(row, explanation):
             in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))]
-    named = [cause for cause in place.at_seam(causes) if cause != Cause.UNCLEAR]
+    named = [cause for cause in causes if cause in ALONG_THE_SEAM and cause != Cause.UNCLEAR]
     clause = _brief(named if causes[:1] == named[:1] else causes[:1], row, widths)
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes), *in_all]
 
@@ -315,7 +315,7 @@ def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
     if row.sharpness is None:
         return []
     taken = {} if explanation is None else {cause.value: share for cause, share in causes_taken(explanation.evidence)}
-    at_seam = loss_place(row).at_seam(list(taken))
+    at_seam = [cause for cause in taken if cause in ALONG_THE_SEAM]
     shares = [
         words for cause in _causes_of(row)
         if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := loss_words(cause, taken[cause]))

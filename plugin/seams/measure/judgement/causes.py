@@ -294,7 +294,7 @@ class Cause(str, Enum):
 
 MIXTURES = (Cause.FEATHERING, Cause.OTHER_MIXTURE)
 """Causes that mix images."""
-ALONG_THE_SEAM = (*MIXTURES, Cause.SOFTENED, Cause.MISREGISTRATION)
+ALONG_THE_SEAM = (*MIXTURES, Cause.SOFTENED, Cause.MISREGISTRATION, Cause.UNCLEAR)
 """Causes that take detail beside a seam alone."""
 ALL_OVER = (Cause.BLUR, Cause.RESAMPLED, Cause.COMPRESSED, Cause.CLIPPING, Cause.DODGING)
 """Causes that take detail in the whole window."""

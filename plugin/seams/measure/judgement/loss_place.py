@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
-from .causes import ALL_OVER, ALONG_THE_SEAM, Cause
+from .causes import ALL_OVER, ALONG_THE_SEAM
 
 
 @dataclass(frozen=True)
@@ -45,16 +45,12 @@ class LossPlace:
         is_alone = self.verdict == "significant" or not self.is_whole_soft
         return self.is_along and (is_alone or (self.kept or 0.0) <= self.kept_in_whole)
 
-    def at_seam(self, causes: Sequence[str]) -> list[str]:
-        """The causes that lie along the seam."""
-        return [cause for cause in causes if cause in ALONG_THE_SEAM or cause == Cause.UNCLEAR]
-
     def decisive(self, causes: Sequence[str]) -> list[str]:
         """What took the detail that is told of, along the seam or in the whole, the strongest first; nothing where
         nothing is lost."""
         if self.verdict not in ("significant", "reduced"):
             return []
-        at_seam = self.at_seam(causes)
+        at_seam = [cause for cause in causes if cause in ALONG_THE_SEAM]
         in_whole = [cause for cause in causes if cause in ALL_OVER and cause not in at_seam]
         if self.is_decisive:
             return at_seam or in_whole * self.is_whole_soft
