@@ -35,7 +35,7 @@ class Measures:
 BOUNDS = {
     "plugin/imagery": Measures(4669, 0, 0),
     "plugin/seams/measure": Measures(16306, 1, 0),
-    "plugin/seams": Measures(12991, 0, 0),
+    "plugin/seams": Measures(12998, 0, 0),
     "plugin/acceptance": Measures(5400, 1, 0),
     "plugin/toolkit": Measures(4286, 0, 0),
     "plugin/noise": Measures(1922, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5083, 0, 0),
     "plugin": Measures(340, 0, 0),
     "python": Measures(1061, 0, 0),
-    "tests": Measures(47956, 0, 0),
+    "tests": Measures(47957, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 

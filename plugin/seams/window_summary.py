@@ -186,8 +186,10 @@ class SeamWidths(NamedTuple):
 
 def in_users_language(row: WindowRecord, result: WindowResult | None) -> WindowRecord:
     """What a row holds, its reason worded anew where the result tells it: the file has it as it was inspected."""
-    reason = result.judgement.reason if result is not None and result.judgement.verdict.value == row.verdict else None
-    return replace(row, reason=sentence(reason)) if row.reason and reason is not None else row
+    reason = None if result is None or not row.reason else result.judgement.reason
+    if result is None or reason is None or result.judgement.verdict.value != row.verdict:
+        return row
+    return replace(row, reason=sentence(reason))
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:

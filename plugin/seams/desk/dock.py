@@ -290,12 +290,12 @@ class InspectionDock(ToolDock):
         return body
 
     def _begin_judging(self, is_on: bool) -> None:
-        """With the window that is selected, or the first to judge."""
+        """With the window that is selected, or the first to judge if any."""
         selected = self.session.selected()
         if is_on and len(selected) == 1:
             self.zoom_to(selected[0])
         elif is_on:
-            self.judging.model.go_on()
+            self.judging.model.begin()
 
     def _clear_map(self, *_: object) -> None:
         super()._clear_map()

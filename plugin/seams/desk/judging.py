@@ -348,6 +348,11 @@ class Judging(QObject):
         """Whether there is another window to go on to."""
         return self._following() is not None
 
+    def begin(self) -> None:
+        """To the first window that is to be judged; to none where all are, which a key would judge once more."""
+        self.follow()
+        self._go_to(self.next_to_judge())
+
     def go_on(self) -> bool:
         """Without judging, to the next window that is to be judged, or the next one where all are."""
         self.follow()

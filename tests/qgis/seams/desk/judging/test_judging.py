@@ -54,6 +54,7 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     session.put([replace(row, observer="invisible" * (row.window_id != 3)) for row in five()])
     session.select([3])
     judging.judge("visible")
+    judging.begin()
     assert session.selected() == []
     assert not judging.judge("unsure")
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
