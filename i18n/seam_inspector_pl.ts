@@ -11176,8 +11176,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/charts/curves_tab.py" line="104"/>
-        <source>Window {number}; {count} more {count:source covers|sources cover} a part of it: no curve</source>
-        <translation>Okno {number}; jeszcze {count} {count:źródło obejmuje|źródła obejmują|źródeł obejmuje} jego część: bez krzywej</translation>
+        <source>Window {number}; {count} more {count:source covers|sources cover} a part</source>
+        <translation>Okno {number}; jeszcze {count} {count:źródło|źródła|źródeł} w części okna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/charts/curves_tab.py" line="189"/>

@@ -101,7 +101,7 @@ class CurvesPanel(_SavedChart):
         row, ending = next(map(self._session.row, self._session.selected()), None), 0
         if row is not None and not self._session.is_pending(row.fid):
             ending = (row.sources or 0) - sum(clip.role == "source" for clip in result.clips)
-        text = tr("Window {number}; {count} more {count:source covers|sources cover} a part of it: no curve")
+        text = tr("Window {number}; {count} more {count:source covers|sources cover} a part")
         return filled(text if ending > 0 else tr("Window {number}"), number=result.window_id, count=ending)
 
     def _show_no_curves(self, why: str) -> None:

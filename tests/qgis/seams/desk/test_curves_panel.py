@@ -192,7 +192,7 @@ def test_sources_of_the_table_that_have_no_curve_are_told(session: CurvesSession
     session.rows = [replace(row, sources=4) for row in session.rows]
     session.select([1])
     wait_for_timer(panel)
-    assert panel._status.text() == "Window 12; 2 more sources cover a part of it: no curve"
+    assert panel._status.text() == "Window 12; 2 more sources cover a part"
     session.rows = [replace(row, sources=2) for row in session.rows]
     session.selectionChanged.emit()
     wait_for_timer(panel)
