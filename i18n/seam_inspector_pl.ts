@@ -539,7 +539,7 @@
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/widgets.py" line="338"/>
+        <location filename="../plugin/toolkit/desk/widgets.py" line="334"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
@@ -594,7 +594,7 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="174"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -644,7 +644,7 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="134"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="129"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -3694,12 +3694,12 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="209"/>
+        <location filename="../plugin/seams/window_summary.py" line="211"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="207"/>
+        <location filename="../plugin/seams/window_summary.py" line="209"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -4573,7 +4573,7 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="127"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="126"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
@@ -4583,37 +4583,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="196"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="226"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="224"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="223"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="228"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="227"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="226"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="229"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4633,12 +4633,12 @@
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="153"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="152"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="254"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -4876,7 +4876,7 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="123"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="122"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
@@ -7139,7 +7139,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="196"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7582,7 +7582,7 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="331"/>
+        <location filename="../plugin/seams/window_summary.py" line="333"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -7606,12 +7606,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="326"/>
+        <location filename="../plugin/seams/window_summary.py" line="328"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="325"/>
+        <location filename="../plugin/seams/window_summary.py" line="327"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8061,22 +8061,22 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="301"/>
+        <location filename="../plugin/seams/window_summary.py" line="303"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="304"/>
+        <location filename="../plugin/seams/window_summary.py" line="306"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="307"/>
+        <location filename="../plugin/seams/window_summary.py" line="309"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="330"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -8664,7 +8664,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="256"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -9062,12 +9062,12 @@
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="272"/>
+        <location filename="../plugin/seams/window_summary.py" line="274"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="278"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
@@ -9132,22 +9132,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="264"/>
+        <location filename="../plugin/seams/window_summary.py" line="266"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="239"/>
+        <location filename="../plugin/seams/window_summary.py" line="241"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="255"/>
+        <location filename="../plugin/seams/window_summary.py" line="257"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="261"/>
+        <location filename="../plugin/seams/window_summary.py" line="263"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -9459,7 +9459,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="225"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="224"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -10297,7 +10297,7 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="164"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="163"/>
         <source>{count} windows selected.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
@@ -10712,7 +10712,7 @@
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="169"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="168"/>
         <source>By the scan, this piece of seam: {finding}</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding}</translation>
     </message>
@@ -10867,7 +10867,7 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="338"/>
+        <location filename="../plugin/seams/window_summary.py" line="340"/>
         <source>Its curve lies apart all the same: curves are shares of all contrast, which tones change, too.</source>
         <translation>Mimo to jego krzywa leży osobno: krzywe są udziałami w całym kontraście, który zmieniają też tony.</translation>
     </message>
@@ -10912,12 +10912,12 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma procesów roboczych, które odpowiadają; uruchom je albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="171"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
         <source>No window at the worst places is left to judge.</source>
         <translation>W najgorszych miejscach nie ma już okien do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="173"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="172"/>
         <source>No window is left to judge.</source>
         <translation>Nie ma już okien do oceny.</translation>
     </message>
@@ -11125,17 +11125,17 @@
         <translation>{finding} Nie zmierzono {lacking:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="288"/>
+        <location filename="../plugin/seams/window_summary.py" line="290"/>
         <source>As much of the finest detail is left {strip} as around it</source>
         <translation>Najdrobniejszych detali zostało {strip} tyle co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="237"/>
+        <location filename="../plugin/seams/window_summary.py" line="239"/>
         <source>{lost} % of detail lost {strip}</source>
         <translation>{lost} % detali utracono {strip}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="290"/>
+        <location filename="../plugin/seams/window_summary.py" line="292"/>
         <source>No loss is certain {strip}</source>
         <translation>Żadna strata {strip} nie jest pewna</translation>
     </message>
