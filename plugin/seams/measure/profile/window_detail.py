@@ -75,7 +75,7 @@ class WindowDetail:
     @cached_property
     def profile(self) -> SeamProfile | None:
         """A window is a scan of one piece; None without a seam, or with too little to be measured."""
-        return next(iter(self._profiles(np.zeros(len(self.cells), np.intp)))) if self.has_seam else None
+        return self._profiles(np.zeros(len(self.cells), np.intp))[0] if self.has_seam else None
 
     def by_pair(self) -> tuple[SeamProfile, ...]:
         """Profiles of the seams between each two sources that can be measured; none where all are of one pair. A cell
